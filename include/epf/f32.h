@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file f32.h
+ * The estimator in single precision: displacement in m, velocity in m/s, time in s, force in N.
+ *
+ * State. z_k, the deflection of the contact, is kept as an unevaluated sum of two floats, so that
+ * displacements far below the last digit of z add up instead of vanishing, and what goes in comes
+ * out again: there is no drift. The sum of the displacements is exact in the elastic regime as long
+ * as each of them is 0 or at least 2^-23 z_max; smaller ones are each rounded by 2^-48 z_max at the
+ * most.
+ *
+ * Promise. With valid coefficients, and whatever the inputs are:
+ *  - every returned z obeys |z| <= z_max, and after any motion |z| <= max(|z before|, z_ss(v));
+ *  - every returned force is finite;
+ *  - a NaN is counted and changes nothing else, and one good sample after it is a good sample.
+ *
+ * Contexts. Three may share one estimator without locks:
+ *  - the *displacement* context (an encoder interrupt, or the control loop) calls advance, update,
+ *    step and force, and alone changes the state;
+ *  - the *velocity* context (the control loop) may call set_velocity at another priority: the
+ *    operating point is prepared aside and published by one byte store, so that advance never sees
+ *    half of it. Where the velocity context is the one that preempts, it must not do so twice
+ *    within one advance or force;
+ *  - any number of *readers* call output, which loads the one word that force stores.
+ * A function that belongs to two contexts (update, step) puts both at the same priority. On a core
+ * that loads a float in pieces (8 and 16 bits), the readers disable the interrupt around output.
+ *
+ * Cost. No loop, no recursion, no libm, no heap, no static data. Divisions are stated per function;
+ * the rest is multiplications, additions and comparisons of floats.
+ */
+#ifndef EPF_F32_H
+#define EPF_F32_H
+
+#include "epf/params.h"
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * What the estimator needs of the parameters, made once. Constant from then on: it may live in
+ * flash and be shared by any number of estimators. Read it freely, change it never.
+ */
+typedef struct {
+    float sigma_0;           /**< N/m */
+    float sigma_1;           /**< N s/m */
+    float sigma_2;           /**< N s/m */
+    float f_c;               /**< N */
+    float f_max;             /**< N */
+    float inv_v_s;           /**< 1/v_s, s/m */
+    float z_ba;              /**< m */
+    float z_c;               /**< f_c/sigma_0, m */
+    float z_max;             /**< f_max/sigma_0, m: no state is ever larger */
+    epf_stribeck_t stribeck; /**< form of f_ss(v) */
+} epf_f32_coeffs_t;
+
+/** All that follows from the velocity alone. Private. */
+typedef struct {
+    float v;        /* m/s, finite */
+    float z_ss;     /* |z_ss(v)|, eq. (9), m */
+    float inv_z_ss; /* 1/z_ss */
+    float inv_span; /* 1/(z_ss - z_ba) */
+} epf_f32_point_t;
+
+/** One contact. Allocate it anywhere, initialise it by epf_f32_init. Only `rejected` is public. */
+typedef struct {
+    const epf_f32_coeffs_t *coeffs;
+    epf_f32_point_t points[2]; /* the published operating point, and the one being prepared */
+    float z;                   /* z_k, m, to float precision */
+    float z_low;               /* what z_k has beyond that */
+    float dz;                  /* z_k - z_{k-1}, m */
+    float force;               /* as last published, N */
+    uint32_t rejected;         /**< unusable input values seen since init; stays at UINT32_MAX */
+    int8_t direction;          /* sgn(dx_k) */
+    uint8_t published;         /* index of the published operating point */
+} epf_f32_t;
+
+/**
+ * Makes coefficients at run time.
+ *
+ * @param coeffs  receives them; untouched unless EPF_OK is returned.
+ * @param params  in SI units.
+ * @return EPF_OK, EPF_ERR_NULL for a null pointer, or what epf_params_check says.
+ *
+ * Context: start-up. Cost: epf_params_check, and 3 divisions.
+ */
+epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *params);
+
+/**
+ * The same coefficients, bit for bit, as a constant initialiser: they go to flash, and bad
+ * parameters fail to compile. Takes the fields of epf_params_t in their order, so that one list can
+ * serve both:
+ *
+ *     #define SLIDE 1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 8e-6f, \
+ *                   EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
+ *     static const epf_f32_coeffs_t slide = EPF_F32_COEFFS(SLIDE);
+ *     static const epf_params_t slide_params = {SLIDE};
+ *
+ * The object must have static storage duration, or bad parameters are not refused but divide by
+ * zero. In C++ declare it constexpr, for the same reason.
+ */
+#define EPF_F32_COEFFS(...) EPF_F32_COEFFS_(__VA_ARGS__)
+
+/**
+ * Prepares an estimator at rest: z = 0, v = 0, force 0, nothing rejected.
+ *
+ * @param ep      estimator, not null.
+ * @param coeffs  valid coefficients, not null, which must outlive the estimator.
+ *
+ * Context: start-up, before any other call. Cost: 2 divisions.
+ */
+void epf_f32_init(epf_f32_t *ep, const epf_f32_coeffs_t *coeffs);
+
+/**
+ * Puts the state to z, as after homing, and publishes the force sigma_0 z of a contact at rest.
+ * Velocity and the count of rejected values stay.
+ *
+ * @param ep  estimator.
+ * @param z   deflection, m; clamped to [-z_max, z_max]; NaN counts as rejected and gives z = 0.
+ *
+ * Context: displacement. Cost: no division.
+ */
+void epf_f32_reset(epf_f32_t *ep, float z);
+
+/**
+ * Steady-state friction f_ss(v), eqs. (6), (7), (8), without the viscous term.
+ *
+ * @param coeffs  valid coefficients.
+ * @param v       velocity, m/s; infinity is the high-speed limit.
+ * @return force in N, f_c <= |f_ss| <= f_max with the sign of v; 0 for v = 0 (sgn 0 = 0) and NaN.
+ *         The exponential of (7) is within 3e-7 of the exact one.
+ *
+ * Context: any; reentrant. Cost: 1 division with (8), none with (6) and (7).
+ */
+float epf_f32_fss(const epf_f32_coeffs_t *coeffs, float v);
+
+/**
+ * Share of a displacement that is plastic, alpha(z, v), eq. (10): 0 up to z_ba, 1 from z_ss(v) on,
+ * a half period of a sine between.
+ *
+ * @param coeffs  valid coefficients.
+ * @param z       deflection, m; any.
+ * @param v       velocity, m/s; any. Only sgn(v) and z_ss(v) count.
+ * @return alpha in [0, 1], within 1e-6 of the exact value for the z_ss(v) in use; 0 where z and v
+ *         differ in sign, and where one of them is 0 or NaN.
+ *
+ * Context: any; reentrant. Cost: up to 2 divisions.
+ */
+float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v);
+
+/**
+ * Tells the estimator the velocity: computes |z_ss(v)|, eq. (9), and its reciprocals.
+ *
+ * @param ep  estimator.
+ * @param v   velocity, m/s. Its sign is used by the force, and only while dx = 0. Infinity counts
+ * as the largest float: z_ss is then that of the high-speed limit. NaN counts as rejected, and the
+ * last velocity stays.
+ *
+ * Context: velocity. Cost: 3 divisions with eq. (8), 2 with (6) and (7).
+ */
+void epf_f32_set_velocity(epf_f32_t *ep, float v);
+
+/**
+ * Advances the state over one displacement, eqs. (12) and (13), at the velocity last set. The
+ * direction is that of dx alone. dx = 0 changes no state: the model knows no time.
+ *
+ * @param ep  estimator.
+ * @param dx  displacement since the last call, m; from 2 z_max on, and for infinity, the state ends
+ *            in z_ss(v). NaN counts as rejected and changes nothing else.
+ * @return z_k in m, |z_k| <= z_max.
+ *
+ * Context: displacement. Cost: no division; least in the elastic regime.
+ */
+float epf_f32_advance(epf_f32_t *ep, float dx);
+
+/**
+ * set_velocity, then advance: one step of Algorithm 1 without the force.
+ *
+ * @param ep  estimator.
+ * @param dx  displacement, m, as for epf_f32_advance.
+ * @param v   velocity, m/s, as for epf_f32_set_velocity.
+ * @return z_k in m.
+ *
+ * Context: displacement and velocity in one. Cost: the sum of the two.
+ */
+float epf_f32_update(epf_f32_t *ep, float dx, float v);
+
+/**
+ * Friction force of the present state, eq. (14):
+ *
+ *     f = sigma_0 z_k + sigma_1 (z_k - z_{k-1})/dt + sigma_2 v',   v' = |v| sgn(dx), or v if dx = 0
+ *
+ * It opposes motion towards +x where positive, so a compensator adds it to its command. Where the
+ * deflection is giving way to the motion (case 1: |z_ss(v)| fell below |z|) the damping term
+ * opposes the other two, and is limited to 1 - 2^-10 of them (the passivity guard): Theorems 3 and
+ * 4 then hold for every sigma_1 and dt. Within eq. (22) the guard does not act.
+ *
+ * @param ep  estimator.
+ * @param dt  time over which the last displacement took place, s. Unless it is positive and finite
+ *            it counts as rejected and the damping term is 0.
+ * @return force in N; always finite: the damping and the viscous term saturate at FLT_MAX/4 each.
+ *
+ * Publishes the force for epf_f32_output by one store of an aligned word.
+ * Context: displacement. Cost: 1 division.
+ */
+float epf_f32_force(epf_f32_t *ep, float dt);
+
+/**
+ * update, then force: all of Algorithm 1.
+ *
+ * @param ep  estimator.
+ * @param dx  displacement, m, as for epf_f32_advance.
+ * @param v   velocity, m/s, as for epf_f32_set_velocity.
+ * @param dt  time, s, as for epf_f32_force.
+ * @return force in N.
+ *
+ * Context: displacement and velocity in one. Cost: the sum of the two.
+ */
+float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt);
+
+/**
+ * The force last published by epf_f32_force, N (by init: 0; by reset: sigma_0 z).
+ *
+ * Context: any, also one that the displacement context interrupts: one load of an aligned word
+ * (except on 8 and 16 bit cores: see above). Cost: that load.
+ */
+float epf_f32_output(const epf_f32_t *ep);
+
+/**
+ * The state z_k, m.
+ *
+ * Context: as epf_f32_output. Cost: one load.
+ */
+float epf_f32_z(const epf_f32_t *ep);
+
+/* EPF_F32_COEFFS with its arguments named, and what both ways of making coefficients share. */
+#define EPF_F32_COEFFS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update)     \
+    EPF_F32_DERIVE_((float)EPF_REQUIRE_PARAMS_((float)(sigma_0), (float)(sigma_1),              \
+                                               (float)(sigma_2), (float)(f_c), (float)(f_max),  \
+                                               (float)(v_s), (float)(z_ba), stribeck, update) * \
+                        (float)(sigma_0),                                                       \
+                    (float)(sigma_1), (float)(sigma_2), (float)(f_c), (float)(f_max),           \
+                    (float)(v_s), (float)(z_ba), stribeck)
+
+#define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)               \
+    {                                                                                             \
+        (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), 1.0f / (v_s), (z_ba), (f_c) / (sigma_0), \
+            (f_max) / (sigma_0), (stribeck)                                                       \
+    }
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT */
+/* No drift: what vibrates below z_ba ends where it began, however long it lasts. */
+#include "epf/f32.h"
+#include "parameter_sets.h"
+#include "sequences.h"
+#include "unity.h"
+
+#include <math.h>
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+enum { PERIOD = 37, CYCLES = 1000000 };
+
+/* One cycle of tremor as a user gets it: differences of positions that were measured, here of a
+   sine and its harmonic so that no two steps are alike; the last one closes the cycle. */
+static void make_cycle(float dx[PERIOD], float amplitude, sequence_t *q)
+{
+    double sum = 0.0;
+    for (int i = 0; i < PERIOD - 1; i++) {
+        const double x = 6.283185307179586 * (i + 1) / PERIOD;
+        const double ragged = sequence_uniform(q, -0.05, 0.05);
+        const double target = (double)amplitude * (0.6 * sin(x) + 0.3 * sin(2.0 * x) + ragged);
+        dx[i] = (float)(target - sum);
+        sum += (double)dx[i];
+    }
+    dx[PERIOD - 1] = (float)-sum;
+}
+
+static double sum_of(const float dx[PERIOD])
+{
+    double sum = 0.0;
+    for (int i = 0; i < PERIOD; i++) {
+        sum += (double)dx[i]; /* exact: 24 bits each, of like size */
+    }
+    return sum;
+}
+
+static void shake(epf_f32_t *ep, const float dx[PERIOD], long cycles)
+{
+    for (long i = 0; i < cycles; i++) {
+        for (int j = 0; j < PERIOD; j++) {
+            (void)epf_f32_advance(ep, dx[j]);
+        }
+    }
+}
+
+/* The cycle closes to within one rounding of its last step; the state must follow even that */
+static void test_drift_a_million_cycles_of_tremor_end_where_they_began(void)
+{
+    sequence_t q;
+    sequence_start(&q, SEQUENCE_TREMOR, 7);
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        epf_f32_coeffs_t coeffs;
+        epf_f32_t ep;
+        (void)epf_f32_coeffs_init(&coeffs, &parameter_sets[set].params);
+        epf_f32_init(&ep, &coeffs);
+        epf_f32_reset(&ep, 0.4f * coeffs.z_ba);
+        const double start = (double)epf_f32_z(&ep);
+
+        float dx[PERIOD];
+        make_cycle(dx, 0.5f * coeffs.z_ba, &q);
+        shake(&ep, dx, CYCLES);
+
+        const double expected = start + (double)CYCLES * sum_of(dx);
+        TEST_ASSERT_TRUE_MESSAGE(fabs((double)epf_f32_z(&ep) - expected) <=
+                                     (double)(FLT_EPSILON * coeffs.z_ba),
+                                 parameter_sets[set].name);
+    }
+}
+
+/* A count of 16 significant bits: its multiples are exact, so that a cycle sums to exactly 0 */
+static float coarse(float x)
+{
+    int exponent;
+    const double fraction = frexp((double)x, &exponent);
+    return (float)ldexp(floor(ldexp(fraction, 16)), exponent - 16);
+}
+
+static void test_drift_encoder_counts_return_to_the_same_bits(void)
+{
+    static const int counts[] = {3, 5, -2, 7, -1, -9, 4, -6, 1, -2};
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        epf_f32_coeffs_t coeffs;
+        epf_f32_t ep;
+        (void)epf_f32_coeffs_init(&coeffs, &parameter_sets[set].params);
+        epf_f32_init(&ep, &coeffs);
+        epf_f32_reset(&ep, 0.3f * coeffs.z_ba);
+        const float start = epf_f32_z(&ep);
+        const float count = coarse(coeffs.z_ba / 37.3f);
+        for (long i = 0; i < 10L * CYCLES; i++) {
+            (void)epf_f32_advance(&ep, (float)counts[i % 10] * count);
+        }
+        TEST_ASSERT_TRUE_MESSAGE(epf_f32_z(&ep) == start, parameter_sets[set].name);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_drift_a_million_cycles_of_tremor_end_where_they_began);
+    RUN_TEST(test_drift_encoder_counts_return_to_the_same_bits);
+    return UNITY_END() != 0;
+}

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/* Theorem 3: plastic displacement dissipates, f dw > 0; by the guard, for every sigma_1 and dt. */
+#include "f32_walk.h"
+#include "oracle.h"
+#include "unity.h"
+
+#include <math.h>
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static bool is_plastic(const f32_step_t *step)
+{
+    return step->s != 0.0f &&
+           (step->zeta_before > step->coeffs->z_ba || step->zeta_before + step->d > step->z_ss);
+}
+
+/* dw has the direction of the motion (Lemma 2), so f must have it too */
+static void force_opposes_plastic_motion(const f32_step_t *step)
+{
+    if (is_plastic(step)) {
+        f32_check(step, step->s * step->force > 0.0f, "f dw > 0");
+    }
+}
+
+static void test_theorem3_plastic_displacement_dissipates_for_every_sigma_1(void)
+{
+    f32_walk(5000, force_opposes_plastic_motion);
+}
+
+static unsigned violations, guarded, steps_within_bound;
+
+static void count_violations_without_guard(const f32_step_t *step)
+{
+    if (is_plastic(step) && step->sequence != SEQUENCE_EXTREMES) {
+        const double f = oracle_force(step->params, (double)step->z_before, (double)step->z,
+                                      (double)step->dx, (double)step->v, (double)step->dt);
+        violations += (double)step->s * f <= 0.0;
+    }
+}
+
+static void test_theorem3_fails_without_the_guard_far_outside_of_equation_22(void)
+{
+    violations = 0;
+    f32_walk(5000, count_violations_without_guard);
+    TEST_ASSERT_TRUE(violations > 100);
+}
+
+static void force_is_as_printed_within_equation_22(const f32_step_t *step)
+{
+    const double limit = (double)epf_sigma_1_limit(step->params, step->v, step->dt);
+    if (step->sequence == SEQUENCE_EXTREMES || (double)step->params->sigma_1 > 0.99 * limit) {
+        return;
+    }
+    const double printed = oracle_force(step->params, (double)step->z_before, (double)step->z,
+                                        (double)step->dx, (double)step->v, (double)step->dt);
+    /* dz between two states rounded to float: the damping term magnifies an ulp by sigma_1/dt */
+    const double ulp = (double)(FLT_EPSILON * step->coeffs->z_max);
+    const double damping_ulp = (double)(step->params->sigma_1 / step->dt) * ulp;
+    const double tolerance =
+        fabs(printed) / 1024.0 + damping_ulp +
+        8.0 * (double)FLT_EPSILON *
+            (double)(step->params->f_max + step->params->sigma_2 * fabsf(step->v));
+    f32_check(step, fabs((double)step->force - printed) <= tolerance, "the guard changes nothing");
+    steps_within_bound++;
+    guarded += step->zeta < step->zeta_before;
+}
+
+static void test_theorem3_guard_changes_nothing_within_equation_22(void)
+{
+    guarded = steps_within_bound = 0;
+    f32_walk(5000, force_is_as_printed_within_equation_22);
+    TEST_ASSERT_TRUE(steps_within_bound > 100000);
+    TEST_ASSERT_TRUE_MESSAGE(guarded > 1000, "case 1 must have occurred");
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_theorem3_plastic_displacement_dissipates_for_every_sigma_1);
+    RUN_TEST(test_theorem3_fails_without_the_guard_far_outside_of_equation_22);
+    RUN_TEST(test_theorem3_guard_changes_nothing_within_equation_22);
+    return UNITY_END() != 0;
+}

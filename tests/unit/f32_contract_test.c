@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: MIT */
+/* The contract of f32.h beyond the equations: bad input, contexts, constant coefficients, bytes. */
+#include "epf/epf.h"
+#include "parameter_sets.h"
+#include "sequences.h"
+#include "unity.h"
+
+#include <math.h>
+#include <string.h>
+
+#define TABLE_2 \
+    1e5f, 1e3f, 0.4f, 1.0f, 1.5f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
+
+static const epf_f32_coeffs_t table_2 = EPF_F32_COEFFS(TABLE_2);
+static const epf_params_t table_2_params = {TABLE_2};
+
+static epf_f32_t ep;
+
+void setUp(void)
+{
+    epf_f32_init(&ep, &table_2);
+}
+
+void tearDown(void)
+{
+}
+
+static void test_coeffs_macro_equals_coeffs_init_bit_for_bit(void)
+{
+    epf_f32_coeffs_t made;
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&made, &table_2_params));
+    TEST_ASSERT_TRUE(made.sigma_0 == table_2.sigma_0);
+    TEST_ASSERT_TRUE(made.sigma_1 == table_2.sigma_1);
+    TEST_ASSERT_TRUE(made.sigma_2 == table_2.sigma_2);
+    TEST_ASSERT_TRUE(made.f_c == table_2.f_c);
+    TEST_ASSERT_TRUE(made.f_max == table_2.f_max);
+    TEST_ASSERT_TRUE(made.inv_v_s == table_2.inv_v_s);
+    TEST_ASSERT_TRUE(made.z_ba == table_2.z_ba);
+    TEST_ASSERT_TRUE(made.z_c == table_2.z_c);
+    TEST_ASSERT_TRUE(made.z_max == table_2.z_max);
+    TEST_ASSERT_EQUAL_INT(made.stribeck, table_2.stribeck);
+}
+
+static void test_coeffs_carry_the_values_of_table_2(void)
+{
+    TEST_ASSERT_FLOAT_WITHIN(1e-10f, 1.0e-5f, table_2.z_c);
+    TEST_ASSERT_FLOAT_WITHIN(1e-10f, 1.5e-5f, table_2.z_max);
+    TEST_ASSERT_FLOAT_WITHIN(1e-10f, 0.8e-5f, table_2.z_ba);
+    TEST_ASSERT_FLOAT_WITHIN(0.1f, 1000.0f, table_2.inv_v_s);
+}
+
+static void test_init_is_at_rest(void)
+{
+    TEST_ASSERT_TRUE(epf_f32_z(&ep) == 0.0f);
+    TEST_ASSERT_TRUE(epf_f32_output(&ep) == 0.0f);
+    TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
+    TEST_ASSERT_TRUE(epf_f32_force(&ep, 1e-3f) == 0.0f);
+}
+
+/* By hand, Table II: z 4e-6 m; 1e5 * 4e-6 = 0.4 N; 1e3 * 4e-6/1e-3 = 4 N; 0.4 * 2e-3 = 0.0008 N */
+static void test_step_by_hand_in_the_elastic_regime(void)
+{
+    TEST_ASSERT_FLOAT_WITHIN(1e-5f, 4.4008f, epf_f32_step(&ep, 4e-6f, 2e-3f, 1e-3f));
+    TEST_ASSERT_FLOAT_WITHIN(1e-5f, 4.4008f, epf_f32_output(&ep));
+    TEST_ASSERT_FLOAT_WITHIN(1e-12f, 4e-6f, epf_f32_z(&ep));
+    /* back: z 1e-6; 0.1 - 3 - 0.0008 */
+    TEST_ASSERT_FLOAT_WITHIN(1e-5f, -2.9008f, epf_f32_step(&ep, -3e-6f, 2e-3f, 1e-3f));
+}
+
+/* By hand: sliding at v_s, f_ss = 1 + 0.5/2 = 1.25 N; then faster, 3 v_s: f_ss = 1.05 N, case 1:
+   the damping term 1e3 * (1.05e-5 - 1.25e-5)/1e-3 = -2 N is limited to (1 - 2^-10)(1.05 + 0.0012)
+ */
+static void test_step_by_hand_through_case_1_is_guarded(void)
+{
+    (void)epf_f32_step(&ep, 1e-3f, 1e-3f, 1e-3f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-11f, 1.25e-5f, epf_f32_z(&ep));
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, 1.0512f / 1024.0f, epf_f32_step(&ep, 1e-6f, 3e-3f, 1e-3f));
+    /* at 10 ms the damping term is -0.2 N, and passes */
+    setUp();
+    (void)epf_f32_step(&ep, 1e-3f, 1e-3f, 1e-2f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, 0.8512f, epf_f32_step(&ep, 1e-6f, 3e-3f, 1e-2f));
+}
+
+static void test_update_is_set_velocity_then_advance(void)
+{
+    epf_f32_t other;
+    sequence_t q;
+    epf_f32_init(&other, &table_2);
+    sequence_start(&q, SEQUENCE_RANDOM_WALK, 3);
+    for (int i = 0; i < 1000; i++) {
+        const sample_t sample = sequence_next(&q);
+        const float dx = (float)sample.dx * table_2.z_max;
+        const float v = (float)sample.v * 1e-3f;
+        const float force = epf_f32_step(&ep, dx, v, 1e-3f);
+        epf_f32_set_velocity(&other, v);
+        TEST_ASSERT_TRUE(epf_f32_advance(&other, dx) == epf_f32_z(&ep));
+        TEST_ASSERT_TRUE(epf_f32_force(&other, 1e-3f) == force);
+        TEST_ASSERT_TRUE(epf_f32_output(&other) == force);
+    }
+}
+
+static void test_reset_clamps_and_publishes_the_force_of_a_contact_at_rest(void)
+{
+    epf_f32_reset(&ep, 1.0f);
+    TEST_ASSERT_TRUE(epf_f32_z(&ep) == table_2.z_max);
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, 1.5f, epf_f32_output(&ep));
+    epf_f32_reset(&ep, -INFINITY);
+    TEST_ASSERT_TRUE(epf_f32_z(&ep) == -table_2.z_max);
+    epf_f32_reset(&ep, 3e-6f);
+    TEST_ASSERT_TRUE(epf_f32_z(&ep) == 3e-6f);
+    TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
+    epf_f32_reset(&ep, NAN);
+    TEST_ASSERT_TRUE(epf_f32_z(&ep) == 0.0f);
+    TEST_ASSERT_EQUAL_UINT32(1, ep.rejected);
+}
+
+static void test_bad_displacement_nan_changes_nothing_and_is_counted(void)
+{
+    (void)epf_f32_step(&ep, 5e-6f, 1e-3f, 1e-3f);
+    const epf_f32_t before = ep;
+    TEST_ASSERT_TRUE(epf_f32_advance(&ep, NAN) == before.z);
+    TEST_ASSERT_EQUAL_UINT32(1, ep.rejected);
+    ep.rejected = before.rejected;
+    TEST_ASSERT_EQUAL_MEMORY(&before, &ep, sizeof before);
+}
+
+static void test_bad_displacement_infinity_saturates(void)
+{
+    TEST_ASSERT_TRUE(epf_f32_update(&ep, INFINITY, 0.0f) == table_2.z_max);
+    TEST_ASSERT_TRUE(epf_f32_update(&ep, -INFINITY, 0.0f) == -table_2.z_max);
+    TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
+}
+
+static void test_bad_velocity_nan_keeps_the_last_one_and_is_counted(void)
+{
+    epf_f32_t other;
+    epf_f32_init(&other, &table_2);
+    (void)epf_f32_update(&other, 1e-6f, 2e-3f);
+    (void)epf_f32_update(&ep, 1e-6f, 2e-3f);
+    TEST_ASSERT_TRUE(epf_f32_step(&ep, 3e-5f, NAN, 1e-3f) ==
+                     epf_f32_step(&other, 3e-5f, 2e-3f, 1e-3f));
+    TEST_ASSERT_EQUAL_UINT32(1, ep.rejected);
+}
+
+static void test_bad_velocity_infinity_is_the_high_speed_limit(void)
+{
+    TEST_ASSERT_TRUE(epf_f32_update(&ep, 1.0f, INFINITY) == table_2.z_c);
+    TEST_ASSERT_TRUE(epf_f32_update(&ep, -1.0f, -INFINITY) == -table_2.z_c);
+    TEST_ASSERT_TRUE(isfinite(epf_f32_force(&ep, 1e-3f)));
+    TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
+}
+
+static void test_bad_time_removes_the_damping_term_and_is_counted(void)
+{
+    static const float bad[] = {0.0f, -0.0f, -1e-3f, NAN, INFINITY, -INFINITY};
+    (void)epf_f32_update(&ep, 4e-6f, 2e-3f);
+    for (unsigned i = 0; i < 6; i++) {
+        TEST_ASSERT_FLOAT_WITHIN(1e-6f, 0.4008f, epf_f32_force(&ep, bad[i]));
+        TEST_ASSERT_EQUAL_UINT32(i + 1, ep.rejected);
+    }
+}
+
+/* Everything at its worst at once: the largest coefficients and inputs that are accepted */
+static void test_bad_input_force_saturates_and_stays_finite(void)
+{
+    static const epf_params_t giant = {1e36f,
+                                       FLT_MAX,
+                                       FLT_MAX,
+                                       1e37f,
+                                       2e37f,
+                                       FLT_MIN,
+                                       1.0f,
+                                       EPF_STRIBECK_GAUSSIAN,
+                                       EPF_UPDATE_SATURATED};
+    static const float values[] = {0.0f, 1e-45f, FLT_MIN, 1.0f, 15.0f, FLT_MAX, INFINITY};
+    epf_f32_coeffs_t coeffs;
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&coeffs, &giant));
+    epf_f32_init(&ep, &coeffs);
+    for (int i = 0; i < 7 * 7 * 7 * 4; i++) {
+        const float dx = values[i % 7] * (i / 343 % 2 ? -1.0f : 1.0f);
+        const float v = values[i / 7 % 7] * (i / 686 ? -1.0f : 1.0f);
+        TEST_ASSERT_TRUE(isfinite(epf_f32_step(&ep, dx, v, values[i / 49 % 7])));
+        TEST_ASSERT_TRUE(fabsf(epf_f32_z(&ep)) <= coeffs.z_max);
+    }
+}
+
+static float random_bits(sequence_t *q)
+{
+    const uint32_t bits = (uint32_t)sequence_uniform(q, 0.0, 65536.0) << 16 |
+                          (uint32_t)sequence_uniform(q, 0.0, 65536.0);
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* One good sample after any number of bad ones is a good sample */
+static void test_bad_input_any_bits_leave_the_estimator_intact(void)
+{
+    sequence_t q;
+    sequence_start(&q, SEQUENCE_EXTREMES, 11);
+    uint32_t rejected = 0;
+    for (long i = 0; i < 300000; i++) {
+        const float dx = random_bits(&q);
+        const float v = random_bits(&q);
+        const float dt = random_bits(&q);
+        TEST_ASSERT_TRUE(isfinite(epf_f32_step(&ep, dx, v, dt)));
+        TEST_ASSERT_TRUE(fabsf(epf_f32_z(&ep)) <= table_2.z_max);
+        TEST_ASSERT_TRUE(ep.rejected >= rejected);
+        rejected = ep.rejected;
+    }
+    TEST_ASSERT_TRUE(rejected > 0);
+    const float good = epf_f32_step(&ep, 1e-4f, 1e-3f, 1.0f);
+    TEST_ASSERT_TRUE(epf_f32_z(&ep) == epf_f32_fss(&table_2, 1e-3f) / table_2.sigma_0 ||
+                     fabsf(good - 1.25f) < 0.03f);
+}
+
+static void test_rejected_never_wraps(void)
+{
+    ep.rejected = UINT32_MAX - 1;
+    (void)epf_f32_advance(&ep, NAN);
+    (void)epf_f32_advance(&ep, NAN);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, ep.rejected);
+}
+
+/* An interrupt between the preparation and the publication of an operating point sees the old one
+ */
+static void test_contexts_set_velocity_prepares_aside_and_publishes_last(void)
+{
+    epf_f32_set_velocity(&ep, 1e-3f);
+    const epf_f32_t before = ep;
+    epf_f32_set_velocity(&ep, 5e-3f);
+    TEST_ASSERT_TRUE(ep.published != before.published);
+    TEST_ASSERT_EQUAL_MEMORY(&before.points[before.published], &ep.points[before.published],
+                             sizeof before.points[0]);
+}
+
+static void test_contexts_estimators_share_constant_coefficients(void)
+{
+    epf_f32_t other;
+    epf_f32_init(&other, &table_2);
+    (void)epf_f32_update(&ep, 5e-6f, 1e-3f);
+    TEST_ASSERT_TRUE(epf_f32_z(&other) == 0.0f);
+}
+
+static void test_footprint_is_at_most_64_bytes_per_estimator(void)
+{
+    TEST_ASSERT_TRUE(sizeof(epf_f32_t) <= 64);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_coeffs_macro_equals_coeffs_init_bit_for_bit);
+    RUN_TEST(test_coeffs_carry_the_values_of_table_2);
+    RUN_TEST(test_init_is_at_rest);
+    RUN_TEST(test_step_by_hand_in_the_elastic_regime);
+    RUN_TEST(test_step_by_hand_through_case_1_is_guarded);
+    RUN_TEST(test_update_is_set_velocity_then_advance);
+    RUN_TEST(test_reset_clamps_and_publishes_the_force_of_a_contact_at_rest);
+    RUN_TEST(test_bad_displacement_nan_changes_nothing_and_is_counted);
+    RUN_TEST(test_bad_displacement_infinity_saturates);
+    RUN_TEST(test_bad_velocity_nan_keeps_the_last_one_and_is_counted);
+    RUN_TEST(test_bad_velocity_infinity_is_the_high_speed_limit);
+    RUN_TEST(test_bad_time_removes_the_damping_term_and_is_counted);
+    RUN_TEST(test_bad_input_force_saturates_and_stays_finite);
+    RUN_TEST(test_bad_input_any_bits_leave_the_estimator_intact);
+    RUN_TEST(test_rejected_never_wraps);
+    RUN_TEST(test_contexts_set_velocity_prepares_aside_and_publishes_last);
+    RUN_TEST(test_contexts_estimators_share_constant_coefficients);
+    RUN_TEST(test_footprint_is_at_most_64_bytes_per_estimator);
+    return UNITY_END() != 0;
+}

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+/* Eqs. (6) to (14) in float, each against the oracle in double precision. */
+#include "epf/f32.h"
+#include "f32_walk.h"
+#include "oracle.h"
+#include "parameter_sets.h"
+#include "unity.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static epf_f32_coeffs_t coeffs;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static const epf_params_t *use(int set)
+{
+    const epf_params_t *params = &parameter_sets[set].params;
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&coeffs, params));
+    return params;
+}
+
+/* 1e-6 v_s to 1e6 v_s in steps of 1 % */
+static float next_speed(float v)
+{
+    return v * 1.01f;
+}
+
+static void test_equations_6_to_8_agree_with_the_oracle(void)
+{
+    double largest = 0.0;
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        const epf_params_t *p = use(set);
+        for (float v = 1e-6f * p->v_s; v < 1e6f * p->v_s; v = next_speed(v)) {
+            const double error = (double)epf_f32_fss(&coeffs, v) - oracle_fss(p, (double)v);
+            largest = fmax(largest, fabs(error) / (double)p->f_max);
+        }
+    }
+    printf("largest error of f_ss: %.2g f_max\n", largest);
+    TEST_ASSERT_TRUE(largest < 3e-7);
+}
+
+static void test_equations_6_to_8_fall_with_speed_between_f_max_and_f_c(void)
+{
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        const epf_params_t *p = use(set);
+        float before = p->f_max;
+        for (float v = 1e-6f * p->v_s; v < 1e6f * p->v_s; v = next_speed(v)) {
+            const float f_ss = epf_f32_fss(&coeffs, v);
+            TEST_ASSERT_TRUE(f_ss >= p->f_c && f_ss <= p->f_max);
+            TEST_ASSERT_TRUE(f_ss <= before * (1.0f + 2.0f * FLT_EPSILON)); /* but for rounding */
+            before = f_ss;
+        }
+    }
+}
+
+static void test_equations_6_to_8_limits_and_bad_velocity(void)
+{
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        const epf_params_t *p = use(set);
+        TEST_ASSERT_TRUE(epf_f32_fss(&coeffs, 0.0f) == 0.0f);
+        TEST_ASSERT_TRUE(epf_f32_fss(&coeffs, NAN) == 0.0f);
+        TEST_ASSERT_TRUE(epf_f32_fss(&coeffs, INFINITY) == p->f_c);
+        TEST_ASSERT_TRUE(epf_f32_fss(&coeffs, -INFINITY) == -p->f_c);
+        TEST_ASSERT_TRUE(epf_f32_fss(&coeffs, -FLT_MAX) == -p->f_c);
+    }
+}
+
+static void test_equation_9_steady_state_at_rest_is_z_max(void)
+{
+    epf_f32_t ep;
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        use(set);
+        epf_f32_init(&ep, &coeffs);
+        TEST_ASSERT_TRUE(epf_f32_update(&ep, 3.0f * coeffs.z_max, 0.0f) == coeffs.z_max);
+        TEST_ASSERT_TRUE(epf_f32_update(&ep, -3.0f * coeffs.z_max, -0.0f) == -coeffs.z_max);
+    }
+}
+
+static void test_equation_10_agrees_with_the_oracle(void)
+{
+    double largest = 0.0;
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        const epf_params_t *p = use(set);
+        for (int i = 0; i < 3 * 4001; i++) {
+            const float v = (float[]){0.01f, -1.0f, 50.0f}[i / 4001] * p->v_s;
+            const float z = coeffs.z_max * (float)(i % 4001 - 2000) / 1999.0f;
+            const double error =
+                (double)epf_f32_alpha(&coeffs, z, v) - oracle_alpha(p, (double)z, (double)v);
+            /* z_ss is rounded to float: where z_ba is close to it, alpha is that much steeper */
+            const double z_ss = fabs(oracle_zss(p, (double)v));
+            const double steepness = 1.6 * z_ss / (z_ss - (double)p->z_ba);
+            largest = fmax(largest, fabs(error) - steepness * 2.0 * (double)FLT_EPSILON);
+        }
+    }
+    printf("largest error of alpha: %.2g\n", largest);
+    TEST_ASSERT_TRUE(largest < 1e-6);
+}
+
+static void test_equation_10_rises_from_0_at_z_ba_to_1_at_z_ss(void)
+{
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        const epf_params_t *p = use(set);
+        const float v = 0.5f * p->v_s;
+        const float z_ss = epf_f32_fss(&coeffs, v) / p->sigma_0;
+        float before = 0.0f;
+        for (int i = 0; i <= 4000; i++) {
+            const float z = p->z_ba + (z_ss - p->z_ba) * (float)i / 4000.0f;
+            const float alpha = epf_f32_alpha(&coeffs, z, v);
+            TEST_ASSERT_TRUE(alpha >= 0.0f && alpha <= 1.0f);
+            TEST_ASSERT_TRUE(alpha >= before - 2.0f * FLT_EPSILON);
+            before = alpha;
+        }
+        TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, p->z_ba, v) == 0.0f);
+        TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, z_ss * 1.000001f, v) == 1.0f);
+    }
+}
+
+static void test_equation_10_is_0_against_the_motion_at_rest_and_for_nan(void)
+{
+    const epf_params_t *p = use(1);
+    TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, 0.99f * coeffs.z_max, -p->v_s) == 0.0f);
+    TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, -0.99f * coeffs.z_max, p->v_s) == 0.0f);
+    TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, 0.99f * coeffs.z_max, 0.0f) == 0.0f);
+    TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, NAN, p->v_s) == 0.0f);
+    TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, 0.99f * coeffs.z_max, NAN) == 0.0f);
+    TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, INFINITY, p->v_s) == 1.0f);
+    TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, -INFINITY, -p->v_s) == 1.0f);
+    TEST_ASSERT_TRUE(epf_f32_alpha(&coeffs, -INFINITY, p->v_s) == 0.0f);
+}
+
+/* dw is not 0 only in the direction of the motion: a printed error of Algorithm 1 was to jump to
+   alpha = 1 for every v < 0 */
+static void test_algorithm_1_is_elastic_in_both_directions(void)
+{
+    epf_f32_t ep;
+    const epf_params_t *p = use(0);
+    epf_f32_init(&ep, &coeffs);
+    TEST_ASSERT_TRUE(epf_f32_update(&ep, -0.5f * p->z_ba, -p->v_s) == -0.5f * p->z_ba);
+    TEST_ASSERT_TRUE(epf_f32_update(&ep, 0.5f * p->z_ba, p->v_s) == 0.0f);
+    TEST_ASSERT_TRUE(epf_f32_update(&ep, 0.5f * p->z_ba, p->v_s) == 0.5f * p->z_ba);
+}
+
+static double largest_step_error;
+
+static void step_agrees_with_oracle(const f32_step_t *step)
+{
+    if (step->s == 0.0f) {
+        return;
+    }
+    const double z_max = (double)step->coeffs->z_max;
+    const double dx = fmax(-1e3 * z_max, fmin(1e3 * z_max, (double)step->dx));
+    const double expected =
+        oracle_update(step->params, (double)step->z_before, dx, (double)step->v);
+    const double error = fabs((double)step->z - expected) / z_max;
+    largest_step_error = fmax(largest_step_error, error);
+    f32_check(step, error <= 1e-5, "|dz| <= 1e-5 z_max against double precision");
+}
+
+static void test_equations_12_and_13_agree_with_the_oracle_from_the_same_state(void)
+{
+    largest_step_error = 0.0;
+    f32_walk(20000, step_agrees_with_oracle);
+    printf("largest error of a step: %.2g z_max\n", largest_step_error);
+}
+
+static void force_agrees_with_oracle(const f32_step_t *step)
+{
+    if (step->sequence == SEQUENCE_EXTREMES) {
+        return; /* there it saturates: see f32_bad_input_test */
+    }
+    const double expected =
+        oracle_guarded_force(step->params, (double)step->z_before, (double)step->z,
+                             (double)step->dx, (double)step->v, (double)step->dt);
+    const double ulp = (double)(FLT_EPSILON * step->coeffs->z_max);
+    const double tolerance =
+        (double)(step->params->sigma_1 / step->dt) * ulp +
+        8.0 * (double)FLT_EPSILON * (fabs(expected) + (double)step->params->f_max);
+    f32_check(step, fabs((double)step->force - expected) <= tolerance, "force, eq. (14)");
+}
+
+static void test_equation_14_agrees_with_the_oracle(void)
+{
+    f32_walk(20000, force_agrees_with_oracle);
+}
+
+/* From -z_ba/2 through break-away to sliding: n steps of Algorithm 1 against the continuous model
+ */
+static double error_of_discretisation(int set, int steps)
+{
+    const epf_params_t *p = use(set);
+    epf_f32_t ep;
+    epf_f32_init(&ep, &coeffs);
+    epf_f32_reset(&ep, -0.5f * p->z_ba);
+    const double start = (double)epf_f32_z(&ep);
+    const double path = 1.8 * (double)coeffs.z_max;
+    double largest = 0.0;
+    for (int i = 1; i <= steps; i++) {
+        (void)epf_f32_update(&ep, (float)(path / steps), p->v_s);
+        const double exact = oracle_continuous(p, start, path * i / steps, (double)p->v_s, 4000);
+        largest = fmax(largest, fabs((double)epf_f32_z(&ep) - exact));
+    }
+    return largest / (double)coeffs.z_max;
+}
+
+/* First order: half the step, half the error */
+static void test_algorithm_1_converges_to_the_continuous_model_with_order_1(void)
+{
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        const double coarse = error_of_discretisation(set, 100);
+        const double fine = error_of_discretisation(set, 400);
+        TEST_ASSERT_TRUE_MESSAGE(coarse < 0.03, parameter_sets[set].name);
+        TEST_ASSERT_TRUE_MESSAGE(fine < 0.4 * coarse || fine < 1e-6, parameter_sets[set].name);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_equations_6_to_8_agree_with_the_oracle);
+    RUN_TEST(test_equations_6_to_8_fall_with_speed_between_f_max_and_f_c);
+    RUN_TEST(test_equations_6_to_8_limits_and_bad_velocity);
+    RUN_TEST(test_equation_9_steady_state_at_rest_is_z_max);
+    RUN_TEST(test_equation_10_agrees_with_the_oracle);
+    RUN_TEST(test_equation_10_rises_from_0_at_z_ba_to_1_at_z_ss);
+    RUN_TEST(test_equation_10_is_0_against_the_motion_at_rest_and_for_nan);
+    RUN_TEST(test_algorithm_1_is_elastic_in_both_directions);
+    RUN_TEST(test_equations_12_and_13_agree_with_the_oracle_from_the_same_state);
+    RUN_TEST(test_equation_14_agrees_with_the_oracle);
+    RUN_TEST(test_algorithm_1_converges_to_the_continuous_model_with_order_1);
+    return UNITY_END() != 0;
+}
