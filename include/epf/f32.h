@@ -235,15 +235,17 @@ float epf_f32_output(const epf_f32_t *ep);
  */
 float epf_f32_z(const epf_f32_t *ep);
 
-/* EPF_F32_COEFFS with its arguments named, and what both ways of making coefficients share. */
-#define EPF_F32_COEFFS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update)     \
-    EPF_F32_DERIVE_((float)EPF_REQUIRE_PARAMS_((float)(sigma_0), (float)(sigma_1),              \
-                                               (float)(sigma_2), (float)(f_c), (float)(f_max),  \
-                                               (float)(v_s), (float)(z_ba), stribeck, update) * \
-                        (float)(sigma_0),                                                       \
-                    (float)(sigma_1), (float)(sigma_2), (float)(f_c), (float)(f_max),           \
-                    (float)(v_s), (float)(z_ba), stribeck)
+/* EPF_F32_COEFFS with its arguments named; the check adds 0, or does not compile. */
+#define EPF_F32_COEFFS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update)   \
+    EPF_F32_DERIVE_(                                                                          \
+        (float)(sigma_0), (float)(sigma_1), (float)(sigma_2), (float)(f_c), (float)(f_max),   \
+        (float)(v_s), (float)(z_ba),                                                          \
+        (epf_stribeck_t)((stribeck) + EPF_REQUIRE_PARAMS_((float)(sigma_0), (float)(sigma_1), \
+                                                          (float)(sigma_2), (float)(f_c),     \
+                                                          (float)(f_max), (float)(v_s),       \
+                                                          (float)(z_ba), stribeck, update)))
 
+/* What both ways of making coefficients share. */
 #define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)               \
     {                                                                                             \
         (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), 1.0f / (v_s), (z_ba), (f_c) / (sigma_0), \

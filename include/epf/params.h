@@ -131,18 +131,18 @@ const char *epf_status_text(epf_status_t status);
     ((f_max) <= FLT_MAX / 16.0f && (z_max) <= FLT_MAX / 16.0f && (z_c) - (z_ba) >= FLT_MIN)
 
 /*
- * 1 where the condition holds; where it does not, a division by zero, which no compiler accepts in
- * the initialiser of an object of static storage duration. The error names the condition.
+ * 0 where the condition holds; where it does not, a division by zero, which no compiler accepts in
+ * the initialiser of an object of static storage duration. The error shows the condition.
  */
-#define EPF_REQUIRE_(condition) (1 / ((condition) ? 1 : 0))
+#define EPF_REQUIRE_(condition) (1 / ((condition) ? 1 : 0) - 1)
 
-/* All conditions of epf_params_check as one constant expression, 1 or an error. */
+/* All conditions of epf_params_check as one constant expression, 0 or an error. */
 #define EPF_REQUIRE_PARAMS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update) \
-    (EPF_REQUIRE_(EPF_POSITIVE_(sigma_0)) * EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_1)) *          \
-     EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_2)) * EPF_REQUIRE_(EPF_POSITIVE_(f_c)) *              \
-     EPF_REQUIRE_(EPF_F_MAX_OK_(f_c, f_max)) * EPF_REQUIRE_(EPF_POSITIVE_(v_s)) *               \
-     EPF_REQUIRE_(EPF_Z_BA_OK_(z_ba, (f_c) / (sigma_0))) *                                      \
-     EPF_REQUIRE_(EPF_STRIBECK_OK_(stribeck)) * EPF_REQUIRE_(EPF_UPDATE_OK_(update)) *          \
+    (EPF_REQUIRE_(EPF_POSITIVE_(sigma_0)) + EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_1)) +          \
+     EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_2)) + EPF_REQUIRE_(EPF_POSITIVE_(f_c)) +              \
+     EPF_REQUIRE_(EPF_F_MAX_OK_(f_c, f_max)) + EPF_REQUIRE_(EPF_POSITIVE_(v_s)) +               \
+     EPF_REQUIRE_(EPF_Z_BA_OK_(z_ba, (f_c) / (sigma_0))) +                                      \
+     EPF_REQUIRE_(EPF_STRIBECK_OK_(stribeck)) + EPF_REQUIRE_(EPF_UPDATE_OK_(update)) +          \
      EPF_REQUIRE_(EPF_RANGE_OK_(f_max, (f_max) / (sigma_0), (f_c) / (sigma_0), z_ba)))
 
 #ifdef __cplusplus

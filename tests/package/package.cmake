@@ -1,0 +1,76 @@
+# Builds user.c against the library in one WAY, and runs it.
+
+file(REMOVE_RECURSE ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH})
+file(COPY ${USER} DESTINATION ${SCRATCH})
+
+function(run)
+    execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${SCRATCH}
+        RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(result)
+        list(JOIN ARGN " " command)
+        message(FATAL_ERROR "${command}\n${output}")
+    endif()
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(install_epf)
+    run(${CMAKE_COMMAND} --install ${EPF_BINARY_DIR} --prefix ${SCRATCH}/installed --config Release)
+    # the tree must be whole wherever it is moved to
+    file(RENAME ${SCRATCH}/installed ${SCRATCH}/moved)
+endfunction()
+
+# A project of the user's around the lines that bring the library in
+function(build_project lines)
+    file(WRITE ${SCRATCH}/CMakeLists.txt "cmake_minimum_required(VERSION 3.16)
+project(user C)
+${lines}
+add_executable(user user.c)
+target_link_libraries(user PRIVATE epf::epf)
+")
+    run(${CMAKE_COMMAND} -S . -B build -G ${GENERATOR} -DCMAKE_C_COMPILER=${COMPILER}
+        -DCMAKE_BUILD_TYPE=Release ${ARGN})
+    run(${CMAKE_COMMAND} --build build)
+    run(${SCRATCH}/build/user)
+endfunction()
+
+# As a part of another project epf must bring nothing but its library
+set(nothing_else "
+if(TARGET epf_under_test OR TARGET epf_replay OR CMAKE_C_FLAGS OR CMAKE_C_STANDARD OR BUILD_TESTING)
+    message(FATAL_ERROR \"epf changed the project around it\")
+endif()
+get_property(options DIRECTORY PROPERTY COMPILE_OPTIONS)
+get_target_property(usage epf INTERFACE_COMPILE_OPTIONS)
+get_target_property(own epf COMPILE_OPTIONS)
+if(options OR usage OR own MATCHES \"-W\")
+    message(FATAL_ERROR \"epf passes on flags: \${options} \${usage} \${own}\")
+endif()")
+
+if(WAY STREQUAL "find_package")
+    install_epf()
+    build_project("find_package(epf ${VERSION} CONFIG REQUIRED)"
+        -DCMAKE_PREFIX_PATH=${SCRATCH}/moved)
+elseif(WAY STREQUAL "add_subdirectory")
+    build_project("add_subdirectory(${EPF_SOURCE_DIR} epf)${nothing_else}")
+elseif(WAY STREQUAL "fetch_content")
+    build_project("include(FetchContent)
+FetchContent_Declare(epf SOURCE_DIR ${EPF_SOURCE_DIR})
+FetchContent_MakeAvailable(epf)${nothing_else}")
+elseif(WAY STREQUAL "copied_files")
+    file(COPY ${EPF_SOURCE_DIR}/include/epf ${EPF_SOURCE_DIR}/src/f32.c ${EPF_SOURCE_DIR}/src/params.c
+        DESTINATION ${SCRATCH})
+    run(${COMPILER} -I. user.c f32.c params.c -o user)
+    run(${SCRATCH}/user)
+elseif(WAY STREQUAL "pkg_config")
+    install_epf()
+    file(GLOB_RECURSE pc ${SCRATCH}/moved/epf.pc)
+    get_filename_component(folder ${pc} DIRECTORY)
+    set(ENV{PKG_CONFIG_PATH} ${folder})
+    run(pkg-config --cflags --libs "epf = ${VERSION}")
+    separate_arguments(flags UNIX_COMMAND "${output}")
+    run(${COMPILER} user.c -o user ${flags})
+    run(${SCRATCH}/user)
+else()
+    message(FATAL_ERROR "no such way: ${WAY}")
+endif()
+message(STATUS "${output}")
