@@ -10,7 +10,7 @@ typedef struct {
     epf_params_t params;
 } parameter_set_t;
 
-enum { PARAMETER_SETS = 8 };
+enum { PARAMETER_SETS = 9 };
 
 extern const parameter_set_t parameter_sets[PARAMETER_SETS];
 

@@ -114,6 +114,20 @@ static void test_reset_clamps_and_publishes_the_force_of_a_contact_at_rest(void)
     TEST_ASSERT_EQUAL_UINT32(1, ep.rejected);
 }
 
+/* Also what z had beyond float precision is gone */
+static void test_reset_leaves_nothing_of_the_past(void)
+{
+    epf_f32_t fresh;
+    epf_f32_init(&fresh, &table_2);
+    epf_f32_reset(&fresh, 3e-6f);
+    (void)epf_f32_update(&ep, 4e-6f, 0.0f);
+    (void)epf_f32_update(&ep, 1.3e-13f, 0.0f);
+    epf_f32_reset(&ep, 3e-6f);
+    for (int i = 0; i < 10; i++) {
+        TEST_ASSERT_TRUE(epf_f32_advance(&ep, 1.7e-13f) == epf_f32_advance(&fresh, 1.7e-13f));
+    }
+}
+
 static void test_bad_displacement_nan_changes_nothing_and_is_counted(void)
 {
     (void)epf_f32_step(&ep, 5e-6f, 1e-3f, 1e-3f);
@@ -257,6 +271,7 @@ int main(void)
     RUN_TEST(test_step_by_hand_through_case_1_is_guarded);
     RUN_TEST(test_update_is_set_velocity_then_advance);
     RUN_TEST(test_reset_clamps_and_publishes_the_force_of_a_contact_at_rest);
+    RUN_TEST(test_reset_leaves_nothing_of_the_past);
     RUN_TEST(test_bad_displacement_nan_changes_nothing_and_is_counted);
     RUN_TEST(test_bad_displacement_infinity_saturates);
     RUN_TEST(test_bad_velocity_nan_keeps_the_last_one_and_is_counted);
