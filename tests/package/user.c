@@ -6,9 +6,8 @@
 
 int main(void)
 {
-    static const epf_f32_coeffs_t slide =
-        EPF_F32_COEFFS(1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 8e-6f, EPF_STRIBECK_LORENTZIAN,
-                       EPF_UPDATE_SATURATED);
+    static const epf_f32_coeffs_t slide = EPF_F32_COEFFS(
+        1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 8e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED);
     epf_f32_t ep;
     epf_f32_init(&ep, &slide);
     const float force = epf_f32_step(&ep, 4e-6f, 4e-6f, 1.0f);

@@ -41,11 +41,11 @@ typedef struct {
     double v;            /* swept velocity */
 } sequence_t;
 
-void sequence_start(sequence_t *sequence, sequence_kind_t kind, uint32_t seed);
-sample_t sequence_next(sequence_t *sequence);
+void sequence_start(sequence_t *q, sequence_kind_t kind, uint32_t seed);
+sample_t sequence_next(sequence_t *q);
 const char *sequence_name(sequence_kind_t kind);
 
 /* Uniform in [low, high), from the same generator */
-double sequence_uniform(sequence_t *sequence, double low, double high);
+double sequence_uniform(sequence_t *q, double low, double high);
 
 #endif

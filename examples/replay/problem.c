@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+#include "problem.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+/* A message quotes files and arguments, which may hold anything: it must stay one readable line */
+static void make_printable(char *text)
+{
+    for (; *text != '\0'; text++) {
+        const unsigned char c = (unsigned char)*text;
+        if (c < ' ' || c == 127) {
+            *text = '?';
+        }
+    }
+}
+
+void problem(const char *format, ...)
+{
+    char message[4096];
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    make_printable(message);
+    (void)fprintf(stderr, "epf_replay: %s\n", message);
+}

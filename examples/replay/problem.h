@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* What the user is told when something is wrong: one line on stderr, and the exit status. */
+#ifndef PROBLEM_H
+#define PROBLEM_H
+
+/* Exit status: a file is at fault, or the command line is (its parameters included) */
+enum { EXIT_DATA = 1, EXIT_USAGE = 2 };
+
+/* How text that was found is quoted: at most so much of it. To be used as "expected ..., " FOUND */
+#define FOUND "found \"%.40s\""
+
+/* Prints "epf_replay: " and the message, as for printf, as exactly one line. */
+void problem(const char *format, ...);
+
+#endif

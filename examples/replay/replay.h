@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The estimator run over a motion, row by row, and the figures that sum the run up. Knows nothing
+ * of files. The README defines every figure.
+ */
+#ifndef REPLAY_H
+#define REPLAY_H
+
+#include "csv_record.h"
+
+#include <epf/epf.h>
+#include <stdint.h>
+
+/* What comes out for each row that goes in */
+typedef struct {
+    double time_s, displacement_m, z_m, force_N;
+    double measured_N, residual_N; /* only if the force was measured */
+} replay_sample_t;
+
+typedef enum { REGIME_ELASTIC, REGIME_MIXED, REGIME_SLIDING, REGIMES } regime_t;
+
+typedef struct {
+    unsigned long rows;
+    unsigned long reversals;
+    double duration_s, time_in[REGIMES]; /* the duration is the sum of the times, s */
+    double largest_z;                    /* |z|/z_max */
+    double residual_sum, residual_square_sum;
+    uint32_t rejected;
+} replay_summary_t;
+
+typedef struct {
+    epf_f32_coeffs_t coeffs;
+    epf_f32_t estimator;
+    bool has_velocity, has_force; /* which columns the rows have */
+    csv_row_t first, last;
+    int direction; /* of the last motion; 0 before any */
+    replay_summary_t summary;
+} replay_t;
+
+/* The replay must then stay where it is: the estimator refers to the coefficients beside it.
+   What the library says to the parameters; unless it is EPF_OK there is nothing to run. */
+epf_status_t replay_start(replay_t *replay, const epf_params_t *params, bool has_velocity,
+                          bool has_force);
+
+/* Takes the next row. The first one is the initial state: at rest, no deflection, no force. */
+replay_sample_t replay_row(replay_t *replay, const csv_row_t *row);
+
+double replay_mean_residual(const replay_summary_t *summary);
+double replay_rms_residual(const replay_summary_t *summary);
+
+#endif

@@ -1,0 +1,125 @@
+# Runs a program in a fresh directory and checks all that it leaves behind.
+#
+#   cmake -DPROGRAM=<path> -DSCRATCH=<directory> -DSTATUS=<exit status> [...] -P run.cmake -- <args>
+#
+#   RECORD, PARAMS    files to put there as record.csv and friction.params
+#   STDERR            regular expression that the one line on stderr must match; without: no line
+#   STDOUT            regular expression that stdout must match
+#   MADE              the files, and no others, that a success makes, with blanks between
+#   RESULT, EXPECTED  a file that was made, and one that it must equal
+#   AGAIN             a file that a second run with --out <file> makes, equal to RESULT
+#   RMS_AT_MOST       bound for the rms residual that stdout tells, N
+#   NO_GNUPLOT        if true, PATH leads nowhere
+#
+# A failure must print nothing on stdout and leave the directory as it was, with the result of an
+# earlier run in it.
+
+set(arguments)
+math(EXPR last "${CMAKE_ARGC} - 1")
+set(ours FALSE)
+foreach(i RANGE ${last})
+    if(ours)
+        list(APPEND arguments "${CMAKE_ARGV${i}}")
+    elseif(CMAKE_ARGV${i} STREQUAL "--")
+        set(ours TRUE)
+    endif()
+endforeach()
+
+file(REMOVE_RECURSE "${SCRATCH}")
+file(MAKE_DIRECTORY "${SCRATCH}")
+set(there)
+if(RECORD)
+    configure_file("${RECORD}" "${SCRATCH}/record.csv" COPYONLY)
+    list(APPEND there record.csv)
+endif()
+if(PARAMS)
+    configure_file("${PARAMS}" "${SCRATCH}/friction.params" COPYONLY)
+    list(APPEND there friction.params)
+endif()
+if(NOT STATUS EQUAL 0)
+    file(WRITE "${SCRATCH}/replay.csv" "earlier")
+    file(WRITE "${SCRATCH}/replay.png" "earlier")
+    list(APPEND there replay.csv replay.png)
+endif()
+if(NO_GNUPLOT)
+    set(ENV{PATH} "${SCRATCH}")
+endif()
+
+function(run_program) # its arguments: more arguments for the program
+    execute_process(COMMAND "${PROGRAM}" ${arguments} ${ARGN} WORKING_DIRECTORY "${SCRATCH}"
+        RESULT_VARIABLE status OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr)
+    message("${stdout}${stderr}exit status ${status}")
+    if(NOT status STREQUAL STATUS)
+        message(SEND_ERROR "the exit status is ${status}, not ${STATUS}")
+    endif()
+    set(stdout "${stdout}" PARENT_SCOPE)
+    set(stderr "${stderr}" PARENT_SCOPE)
+endfunction()
+
+function(check_equal one other)
+    execute_process(COMMAND "${CMAKE_COMMAND}" -E compare_files "${one}" "${other}"
+        RESULT_VARIABLE differs)
+    if(differs)
+        message(SEND_ERROR "${one} differs from ${other}")
+    endif()
+endfunction()
+
+run_program()
+
+if(STDERR AND NOT stderr MATCHES "${STDERR}")
+    message(SEND_ERROR "stderr does not match ${STDERR}")
+elseif(STDERR AND NOT stderr MATCHES "^[^\n]+\n$")
+    message(SEND_ERROR "stderr is not exactly one line")
+elseif(NOT STDERR AND NOT stderr STREQUAL "")
+    message(SEND_ERROR "stderr is not empty")
+endif()
+
+if(STDOUT AND NOT stdout MATCHES "${STDOUT}")
+    message(SEND_ERROR "stdout does not match ${STDOUT}")
+endif()
+
+if(NOT STATUS EQUAL 0)
+    file(READ "${SCRATCH}/replay.csv" csv)
+    file(READ "${SCRATCH}/replay.png" png)
+    if(NOT "${csv}${png}" STREQUAL "earlierearlier")
+        message(SEND_ERROR "the earlier result has been changed")
+    endif()
+    if(NOT stdout STREQUAL "")
+        message(SEND_ERROR "stdout is not empty")
+    endif()
+endif()
+
+file(GLOB found RELATIVE "${SCRATCH}" "${SCRATCH}/*")
+separate_arguments(MADE)
+list(APPEND there ${MADE})
+list(SORT there)
+list(SORT found)
+if(NOT "${found}" STREQUAL "${there}")
+    message(SEND_ERROR "expected the files ${there}, found ${found}")
+endif()
+
+if(EXPECTED)
+    check_equal("${SCRATCH}/${RESULT}" "${EXPECTED}")
+endif()
+
+if(AGAIN)
+    run_program(--out "${AGAIN}")
+    check_equal("${SCRATCH}/${RESULT}" "${SCRATCH}/${AGAIN}")
+endif()
+
+if(RMS_AT_MOST)
+    if(NOT stdout MATCHES "rms residual +([0-9.e+-]+) N")
+        message(SEND_ERROR "stdout tells no rms residual")
+    elseif(CMAKE_MATCH_1 GREATER RMS_AT_MOST)
+        message(SEND_ERROR "the rms residual is ${CMAKE_MATCH_1} N, above ${RMS_AT_MOST} N")
+    endif()
+endif()
+
+foreach(file IN LISTS MADE)
+    if(file MATCHES "png$")
+        file(READ "${SCRATCH}/${file}" signature LIMIT 8 HEX)
+        if(NOT signature STREQUAL "89504e470d0a1a0a")
+            message(SEND_ERROR "${file} is not a PNG picture")
+        endif()
+    endif()
+endforeach()
