@@ -26,10 +26,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     }
     memcpy(values, data, sizeof values);
-    const epf_params_t params = {values[0], values[1], values[2],
-                                 values[3], values[4], values[5],
-                                 values[6], (epf_stribeck_t)(data[sizeof values] % 4),
-                                 EPF_UPDATE_SATURATED};
+    const epf_params_t params = {
+        values[0],           values[1], values[2], values[3],
+        values[4],           values[5], values[6], (epf_stribeck_t)(data[sizeof values] % 4),
+        EPF_UPDATE_SATURATED};
     if (epf_f32_coeffs_init(&coeffs, &params) != EPF_OK) {
         return 0;
     }

@@ -4,9 +4,8 @@
 
 namespace
 {
-constexpr epf_f32_coeffs_t coeffs =
-    EPF_F32_COEFFS(1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 8e-6f, EPF_STRIBECK_LORENTZIAN,
-                   EPF_UPDATE_SATURATED);
+constexpr epf_f32_coeffs_t coeffs = EPF_F32_COEFFS(1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 8e-6f,
+                                                   EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED);
 }
 
 int main()
