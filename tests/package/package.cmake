@@ -15,7 +15,7 @@ function(run)
 endfunction()
 
 function(install_epf)
-    run(${CMAKE_COMMAND} --install ${EPF_BINARY_DIR} --prefix ${SCRATCH}/installed --config Release)
+    run(${CMAKE_COMMAND} --install ${EPF_BINARY_DIR} --prefix ${SCRATCH}/installed --config ${CONFIG})
     # the tree must be whole wherever it is moved to
     file(RENAME ${SCRATCH}/installed ${SCRATCH}/moved)
 endfunction()
