@@ -25,7 +25,10 @@ endfunction()
 function(epf_library_sources target)
     target_sources(${target} PRIVATE
         ${PROJECT_SOURCE_DIR}/src/f32.c
-        ${PROJECT_SOURCE_DIR}/src/params.c)
+        ${PROJECT_SOURCE_DIR}/src/fixed.c
+        ${PROJECT_SOURCE_DIR}/src/params.c
+        ${PROJECT_SOURCE_DIR}/src/q15.c
+        ${PROJECT_SOURCE_DIR}/src/q31.c)
     target_include_directories(${target} PUBLIC
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
         $<INSTALL_INTERFACE:include>)

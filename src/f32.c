@@ -111,13 +111,14 @@ float epf_f32_fss(const epf_f32_coeffs_t *coeffs, float v)
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
-/* 1/2 + 1/2 sin(pi (u - 1/2)) for 0 <= u <= 1, within 1e-6. Cubic in front, correction behind:
-   value and slope are exact at both ends, and the result is not negative. */
+/* 1/2 + 1/2 sin(pi (u - 1/2)) for 0 <= u <= 1, within 1e-6: sin(pi u/2) squared up to the middle,
+   where the polynomial meets its mirror image; exact at both ends, and never outside of [0, 1] */
 static float half_sine(float u)
 {
-    const float w = 1.0f - u;
-    const float c = u * w;
-    return u * u * ((3.0f - 2.0f * u) + (u - 0.5f) * (w * w) * (1.06417605f + c * 0.273587308f));
+    const float x = u < 0.5f ? u : 1.0f - u;
+    const float q = x * x;
+    const float sine = x * (1.57078185f - q * (0.645621415f - q * 0.0773930458f));
+    return u < 0.5f ? sine * sine : 1.0f - sine * sine;
 }
 
 /* alpha for zeta = z sgn(dx) and z_ss > 0: the elastic range first, for it must cost least */
@@ -129,7 +130,7 @@ static float alpha_at(float zeta, float z_ba, float z_ss, float inv_span)
     if (zeta >= z_ss) {
         return 1.0f;
     }
-    return at_most(half_sine(at_most((zeta - z_ba) * inv_span, 1.0f)), 1.0f);
+    return half_sine((zeta - z_ba) * inv_span);
 }
 
 float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v)

@@ -77,6 +77,14 @@ typedef struct {
     epf_update_t update;     /**< update rule */
 } epf_params_t;
 
+/** What one least significant bit of each integer signal of the fixed-point variants weighs. */
+typedef struct {
+    float x; /**< displacement, m */
+    float v; /**< velocity, m/s */
+    float f; /**< force, N */
+    float t; /**< time, s */
+} epf_lsb_t;
+
 /**
  * Tells whether the parameters meet all their conditions.
  *
