@@ -177,9 +177,9 @@ static deflection_t psi(const epf_f32_coeffs_t *c, const epf_f32_point_t *point,
     return next.high < point->z_ss ? next : steady; /* (13), cases 2 and 3 */
 }
 
-static epf_f32_point_t published_point(const epf_f32_t *ep)
+static const epf_f32_point_t *published_point(const epf_f32_t *ep)
 {
-    return ep->points[*(const volatile uint8_t *)&ep->published];
+    return &ep->points[*(const volatile uint8_t *)&ep->published];
 }
 
 /* Volatile accesses keep their order: the index follows the point that it announces */
@@ -218,9 +218,8 @@ float epf_f32_advance(epf_f32_t *ep, float dx)
         return ep->z;
     }
     const float s = (float)ep->direction;
-    const epf_f32_point_t point = published_point(ep);
     const deflection_t zeta = {s * ep->z, s * ep->z_low};
-    const deflection_t next = psi(ep->coeffs, &point, zeta, s * dx);
+    const deflection_t next = psi(ep->coeffs, published_point(ep), zeta, s * dx);
 
     ep->dz = s * ((next.high - zeta.high) + (next.low - zeta.low));
     ep->z = s * next.high;
@@ -259,7 +258,7 @@ static float damping(epf_f32_t *ep, float dt)
 float epf_f32_force(epf_f32_t *ep, float dt)
 {
     const float s = (float)ep->direction;
-    const float v = published_point(ep).v;
+    const float v = published_point(ep)->v;
     const float v_along = ep->direction != 0 ? s * absolute(v) : v;
 
     const float elastic = ep->coeffs->sigma_0 * ep->z;

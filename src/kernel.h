@@ -36,9 +36,9 @@ static inline uint32_t magnitude(int32_t x)
     ensures x == 0 ==> \result == 0;
     ensures x < 0 ==> \result == -1;
 */
-static inline int8_t sign(int32_t x)
+static inline int sign(int32_t x)
 {
-    return (int8_t)((x > 0) - (x < 0));
+    return (x > 0) - (x < 0);
 }
 
 /* s x: x as seen in the direction s */
@@ -47,7 +47,7 @@ static inline int8_t sign(int32_t x)
     assigns \nothing;
     ensures \result == s * x;
 */
-static inline int32_t along(int8_t s, int32_t x)
+static inline int32_t along(int s, int32_t x)
 {
     return s > 0 ? x : s < 0 ? -x : 0;
 }
@@ -174,9 +174,9 @@ static inline int32_t rest_along(int32_t zeta, int32_t dzeta, uint32_t viscous, 
 
 /* ---- one contact, shared with an interrupt ------------------------------------------------- */
 
-static inline epf_fixed_point_t published_point(const epf_fixed_t *ep)
+static inline const epf_fixed_point_t *published_point(const epf_fixed_t *ep)
 {
-    return ep->points[*(const volatile uint8_t *)&ep->published];
+    return &ep->points[*(const volatile uint8_t *)&ep->published];
 }
 
 /* Volatile accesses keep their order: the index follows the point that it announces */
@@ -204,9 +204,9 @@ static inline int32_t published_force(const epf_fixed_t *ep)
 }
 
 /* Takes zeta' over into the state. A displacement of 0 leaves z where it is. */
-static inline int32_t move_to(epf_fixed_t *ep, int8_t s, int32_t zeta)
+static inline int32_t move_to(epf_fixed_t *ep, int s, int32_t zeta)
 {
-    ep->direction = s;
+    ep->direction = (int8_t)s;
     if (s == 0) {
         ep->dz = 0;
     } else {
@@ -229,7 +229,7 @@ static inline int has_time(epf_fixed_t *ep, uint32_t dt)
 /* The force beyond sigma_0 z, signed, of the last displacement */
 static inline int32_t rest_of_force(const epf_fixed_t *ep, int32_t viscous, uint32_t damping)
 {
-    const int8_t s = ep->direction;
+    const int s = ep->direction;
     if (s == 0) {
         return viscous; /* v' = v */
     }

@@ -207,11 +207,10 @@ static int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *
 
 int32_t epf_q15_advance(epf_q15_t *ep, int16_t dx)
 {
-    const int8_t s = sign(dx);
+    const int s = sign(dx);
     int32_t zeta = along(s, ep->z);
     if (s != 0) {
-        const epf_fixed_point_t point = published_point(ep);
-        zeta = next_along(ep->coeffs, &point, zeta, magnitude(dx));
+        zeta = next_along(ep->coeffs, published_point(ep), zeta, magnitude(dx));
     }
     return move_to(ep, s, zeta);
 }
@@ -256,7 +255,7 @@ int16_t epf_q15_force(epf_q15_t *ep, uint16_t dt)
 {
     const epf_fixed_coeffs_t *c = ep->coeffs;
     const uint32_t damped = has_time(ep, dt) ? damping(c, ep->dz, dt) : 0;
-    const int32_t rest = rest_of_force(ep, published_point(ep).viscous, damped);
+    const int32_t rest = rest_of_force(ep, published_point(ep)->viscous, damped);
     const int16_t force = in_lsb(c, ep->z, rest); /* (14) */
     publish_force(ep, force);
     return force;

@@ -7,7 +7,7 @@
 static int64_t internal_force(const epf_fixed_t *ep, uint32_t dt)
 {
     const uint32_t damped = dt != 0 ? damping(ep->coeffs, ep->dz, dt) : 0;
-    return ep->z + 256 * (int64_t)rest_of_force(ep, published_point(ep).viscous, damped);
+    return ep->z + 256 * (int64_t)rest_of_force(ep, published_point(ep)->viscous, damped);
 }
 
 const fixed_variant_t q31_variant = {
