@@ -92,13 +92,13 @@ const char *epf_status_text(epf_status_t status)
     case EPF_ERR_UPDATE:
         return "update must be a rule that this version has";
     case EPF_ERR_LSB_X:
-        return "lsb.x must resolve z_ba and let z_max fit the state";
+        return "lsb.x must be positive, no coarser than z_ba and no finer than z_max 2^-30";
     case EPF_ERR_LSB_V:
-        return "lsb.v is unusable";
+        return "lsb.v must be positive, and not far too coarse or too fine for v_s and sigma_2";
     case EPF_ERR_LSB_F:
-        return "lsb.f is unusable";
+        return "lsb.f must be positive, no coarser than f_max, and f_max must fit the integer";
     case EPF_ERR_LSB_T:
-        return "lsb.t is unusable";
+        return "lsb.t must be positive, and not far too fine for sigma_1/sigma_0";
     case EPF_ERR_RANGE:
         return "the parameters together leave the range of the number format";
     }

@@ -11,6 +11,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* Weights by default. Bad parameters have none; the library is about to refuse them. */
+static void add_default_weights(parameters_t *parameters, const variant_t *variant)
+{
+    if (variant->format != NULL && epf_params_check(&parameters->values) == EPF_OK) {
+        const epf_lsb_t lsb = variant_default_lsb(variant, &parameters->values);
+        parameters_complete_lsb(parameters, &lsb);
+    }
+}
+
 /* The parameters come from the command line, then from a file, then from the defaults */
 static int collect_parameters(options_t *options)
 {
@@ -18,7 +27,11 @@ static int collect_parameters(options_t *options)
     if (options->params_file != NULL && !parameters_read(parameters, options->params_file)) {
         return EXIT_DATA;
     }
-    return parameters_complete(parameters) ? EXIT_SUCCESS : EXIT_USAGE;
+    if (!parameters_complete(parameters)) {
+        return EXIT_USAGE;
+    }
+    add_default_weights(parameters, options->variant);
+    return EXIT_SUCCESS;
 }
 
 /* Row in, estimate out, until the record ends. False after a problem in it. */
@@ -26,10 +39,10 @@ static bool run(replay_t *replay, csv_record_t *record, FILE *result)
 {
     csv_row_t row;
     csv_status_t status;
-    report_header(result, replay->has_force);
+    report_header(result, replay->setup.has_force);
     while ((status = csv_next(record, &row)) == CSV_ROW) {
         const replay_sample_t sample = replay_row(replay, &row);
-        report_row(result, &sample, replay->has_force);
+        report_row(result, &sample, replay->setup.has_force);
     }
     return status == CSV_END;
 }
@@ -54,14 +67,15 @@ static int replay_record(replay_t *replay, const options_t *options)
     if (!csv_open(&record, options->record, options->force_column)) {
         return EXIT_DATA;
     }
-    const epf_params_t *params = &options->parameters.values;
-    const epf_status_t status =
-        replay_start(replay, params, csv_has(&record, CSV_VELOCITY), csv_has(&record, CSV_FORCE));
+    const parameters_t *parameters = &options->parameters;
+    const replay_setup_t setup = {options->variant, parameters->values, parameters->lsb,
+                                  csv_has(&record, CSV_VELOCITY), csv_has(&record, CSV_FORCE)};
+    const epf_status_t status = replay_start(replay, &setup);
     int result = EXIT_USAGE;
     if (status == EPF_OK) {
         result = write_result(replay, &record, options->out);
     } else {
-        parameters_refused(params, status);
+        parameters_refused(parameters, status);
     }
     csv_close(&record);
     return result;

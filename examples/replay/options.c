@@ -25,6 +25,13 @@ static const char help[] =
     "  --params FILE      the same from a file: lines name = value, # begins a comment;\n"
     "                     the command line wins\n"
     "\n"
+    "  --variant NAME     f32, q31 or q15: floats, or integers of 32 or 16 bits   (f32)\n"
+    "  --lsb_x VALUE      with q31 and q15: what 1 in each integer signal weighs, of\n"
+    "                     the displacement, m                (z_max/1e6, z_max/16000)\n"
+    "  --lsb_v VALUE      of the velocity, m/s               (v_s/1e5, v_s/100)\n"
+    "  --lsb_f VALUE      of the force, N                    (f_max/1e6, f_max/16000)\n"
+    "  --lsb_t VALUE      of the time, s                     (1e-6, 1e-5)\n"
+    "\n"
     "  --force-column NAME   column of the measured force\n"
     "  --out FILE            where the result goes           (replay.csv)\n"
     "  --picture FILE        where its picture goes          (the same, .png)\n"
@@ -47,6 +54,7 @@ static const char **text_option(options_t *options, const char *name)
         {"--force-column", &options->force_column},
         {"--out", &options->out},
         {"--picture", &options->picture},
+        {"--variant", &options->variant_name},
     };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         if (strcmp(name, table[i].name) == 0) {
@@ -131,12 +139,33 @@ static void fill_in_defaults(options_t *options)
             options->params_file = EPF_REPLAY_DIR "/example.params";
         }
     }
+    if (options->variant_name == NULL) {
+        options->variant_name = "f32";
+    }
     if (options->out == NULL) {
         options->out = "replay.csv";
     }
     if (options->picture == NULL && !options->no_picture) {
         options->picture = picture_by_default(options);
     }
+}
+
+/* Looks the variant up by its name. Floats weigh what they say: whoever gives them a weight errs. A
+   parameter file may hold some all the same, for the other variants. */
+static bool choose_variant(options_t *options)
+{
+    options->variant = variant_find(options->variant_name);
+    if (options->variant == NULL) {
+        problem("command line: --variant: expected f32, q31 or q15, " FOUND, options->variant_name);
+        return false;
+    }
+    if (options->variant->format == NULL && parameters_have_lsb(&options->parameters)) {
+        problem("command line: --lsb_x, --lsb_v, --lsb_f, --lsb_t: expected with --variant q31 or "
+                "q15, found with %s",
+                options->variant->name);
+        return false;
+    }
+    return true;
 }
 
 /* No file may be written over another that is in use */
@@ -161,7 +190,7 @@ bool options_read(options_t *options, int argc, char **argv)
         return false;
     }
     fill_in_defaults(options);
-    return different(options->out, options->record) &&
+    return choose_variant(options) && different(options->out, options->record) &&
            different(options->out, options->params_file) &&
            different(options->out, options->picture) &&
            different(options->picture, options->record) &&

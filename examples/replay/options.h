@@ -4,6 +4,7 @@
 #define OPTIONS_H
 
 #include "parameters.h"
+#include "variant.h"
 
 #include <stdbool.h>
 
@@ -13,6 +14,8 @@ typedef struct {
     const char *record;       /* the motion to replay */
     const char *params_file;  /* NULL: none */
     const char *force_column; /* NULL: the usual ones */
+    const char *variant_name;
+    const variant_t *variant;
     const char *out;
     const char *picture;
     bool no_picture;

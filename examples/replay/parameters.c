@@ -8,10 +8,26 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SIGMA_0, SIGMA_1, SIGMA_2, F_C, F_MAX, V_S, Z_BA, STRIBECK, PARAMETERS };
+enum {
+    SIGMA_0,
+    SIGMA_1,
+    SIGMA_2,
+    F_C,
+    F_MAX,
+    V_S,
+    Z_BA,
+    LSB_X,
+    LSB_V,
+    LSB_F,
+    LSB_T,
+    STRIBECK,
+    PARAMETERS
+};
+static const unsigned lsb_bits = 1u << LSB_X | 1u << LSB_V | 1u << LSB_F | 1u << LSB_T;
 
 static const char *const names[PARAMETERS] = {"sigma_0", "sigma_1", "sigma_2", "f_c",
-                                              "f_max",   "v_s",     "z_ba",    "stribeck"};
+                                              "f_max",   "v_s",     "z_ba",    "lsb_x",
+                                              "lsb_v",   "lsb_f",   "lsb_t",   "stribeck"};
 
 static const char *const stribeck_names[] = {
     [EPF_STRIBECK_LORENTZIAN] = "lorentzian",
@@ -31,10 +47,13 @@ static int find(const char *text, const char *const *among, int count)
 }
 
 /* Where a number lives; not for STRIBECK, which is none */
-static float *number(epf_params_t *params, int parameter)
+static float *number(parameters_t *set, int parameter)
 {
+    epf_params_t *const params = &set->values;
+    epf_lsb_t *const lsb = &set->lsb;
     float *const numbers[] = {&params->sigma_0, &params->sigma_1, &params->sigma_2, &params->f_c,
-                              &params->f_max,   &params->v_s,     &params->z_ba};
+                              &params->f_max,   &params->v_s,     &params->z_ba,    &lsb->x,
+                              &lsb->v,          &lsb->f,          &lsb->t};
     return numbers[parameter];
 }
 
@@ -66,7 +85,7 @@ static bool set_number(parameters_t *set, const char *place, int parameter, cons
         problem("%s: %s: expected a finite number, " FOUND, place, names[parameter], value);
         return false;
     }
-    *number(&set->values, parameter) = (float)parsed;
+    *number(set, parameter) = (float)parsed;
     return true;
 }
 
@@ -75,7 +94,7 @@ bool parameters_set(parameters_t *set, const char *place, const char *name, cons
     const int parameter = find(name, names, PARAMETERS);
     if (parameter == PARAMETERS) {
         problem("%s: expected a parameter (sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, "
-                "stribeck), " FOUND,
+                "lsb_x, lsb_v, lsb_f, lsb_t, stribeck), " FOUND,
                 place, name);
         return false;
     }
@@ -119,7 +138,7 @@ static void add_missing(parameters_t *set, parameters_t *more)
         if (i == STRIBECK) {
             set->values.stribeck = more->values.stribeck;
         } else {
-            *number(&set->values, i) = *number(&more->values, i);
+            *number(set, i) = *number(more, i);
         }
     }
 }
@@ -169,9 +188,20 @@ bool parameters_complete(parameters_t *set)
     return true;
 }
 
-void parameters_refused(const epf_params_t *params, epf_status_t status)
+bool parameters_have_lsb(const parameters_t *set)
 {
-    epf_params_t values = *params;
+    return (set->given & lsb_bits) != 0;
+}
+
+void parameters_complete_lsb(parameters_t *set, const epf_lsb_t *defaults)
+{
+    parameters_t more = {.lsb = *defaults, .given = lsb_bits};
+    add_missing(set, &more);
+}
+
+void parameters_refused(const parameters_t *set, epf_status_t status)
+{
+    parameters_t values = *set;
     char shown[512] = "";
     static const struct {
         epf_status_t status;
@@ -184,6 +214,10 @@ void parameters_refused(const epf_params_t *params, epf_status_t status)
         {EPF_ERR_F_MAX, 1u << F_MAX | 1u << F_C},
         {EPF_ERR_V_S, 1u << V_S},
         {EPF_ERR_Z_BA, 1u << Z_BA | 1u << F_C | 1u << SIGMA_0},
+        {EPF_ERR_LSB_X, 1u << LSB_X | 1u << Z_BA},
+        {EPF_ERR_LSB_V, 1u << LSB_V},
+        {EPF_ERR_LSB_F, 1u << LSB_F | 1u << F_MAX},
+        {EPF_ERR_LSB_T, 1u << LSB_T},
         {EPF_ERR_RANGE, 1u << SIGMA_0 | 1u << F_C | 1u << F_MAX | 1u << Z_BA},
     };
     for (size_t k = 0; k < sizeof causes / sizeof causes[0]; k++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The parameters of the friction model, by name, from the command line and from a file. */
+/* The parameters of the friction model, and the weights of the integers, by name, from the command line and from a file. */
 #ifndef PARAMETERS_H
 #define PARAMETERS_H
 
@@ -8,6 +8,7 @@
 
 typedef struct {
     epf_params_t values;
+    epf_lsb_t lsb;
     unsigned given; /* one bit for each parameter that has been set */
 } parameters_t;
 
@@ -21,10 +22,16 @@ bool parameters_set(parameters_t *set, const char *place, const char *name, cons
    line, read first, wins. False, and the problem reported, if anything is wrong with the file. */
 bool parameters_read(parameters_t *set, const char *file_name);
 
-/* Fills in the defaults. False, and the problem reported, if a parameter without one is missing. */
+/* True if a weight has been set */
+bool parameters_have_lsb(const parameters_t *set);
+
+/* Fills in the defaults of the model. False, and the problem reported, if a parameter without one is missing. */
 bool parameters_complete(parameters_t *set);
 
+/* Fills in these weights where none has been set */
+void parameters_complete_lsb(parameters_t *set, const epf_lsb_t *defaults);
+
 /* Reports why the library refuses these parameters */
-void parameters_refused(const epf_params_t *params, epf_status_t status);
+void parameters_refused(const parameters_t *set, epf_status_t status);
 
 #endif

@@ -1,66 +1,70 @@
 /* SPDX-License-Identifier: MIT */
 #include "replay.h"
 
-#include <float.h>
+#include "saturate.h"
+
 #include <math.h>
+#include <stddef.h>
 
 /* How near to z_ss the state counts as having reached it: it tends to z_ss exponentially */
 static const float nearly = 0.99f;
 
-epf_status_t replay_start(replay_t *replay, const epf_params_t *params, bool has_velocity,
-                          bool has_force)
+epf_status_t replay_start(replay_t *replay, const replay_setup_t *setup)
 {
-    *replay = (replay_t){.has_velocity = has_velocity, .has_force = has_force};
-    const epf_status_t status = epf_f32_coeffs_init(&replay->coeffs, params);
-    if (status == EPF_OK) {
-        epf_f32_init(&replay->estimator, &replay->coeffs);
+    *replay = (replay_t){.setup = *setup};
+    const epf_status_t status =
+        estimator_start(&replay->reference, &variant_f32, &setup->params, NULL);
+    if (status != EPF_OK) {
+        return status;
     }
-    return status;
+    return estimator_start(&replay->estimator, setup->variant, &setup->params, &setup->lsb);
+}
+
+const epf_f32_coeffs_t *replay_model(const replay_t *replay)
+{
+    return &replay->reference.as.f32.coeffs;
 }
 
 /* ---- the motion between two rows ------------------------------------------------------------ */
 
-typedef struct {
-    float dx, v, dt;
-} motion_t;
-
-/* C leaves open what becomes of a double too large for a float: decide it here */
-static float to_float(double x)
-{
-    return (float)fmax(fmin(x, (double)FLT_MAX), (double)-FLT_MAX);
-}
-
 /* Differences are taken in double: a position far from 0 must not cost the digits of a small step
  */
-static motion_t motion_between(const csv_row_t *from, const csv_row_t *to, bool has_velocity)
+static motion_t motion_to(const replay_t *replay, const csv_row_t *row)
 {
-    const double dx = to->value[CSV_POSITION] - from->value[CSV_POSITION];
-    const double dt = to->value[CSV_TIME] - from->value[CSV_TIME];
-    const double v = has_velocity ? to->value[CSV_VELOCITY] : dx / dt;
-    return (motion_t){to_float(dx), to_float(v), to_float(dt)};
+    const double *const first = replay->first.value;
+    const double *const last = replay->last.value;
+    const double *const now = row->value;
+    motion_t motion = {
+        .dx = now[CSV_POSITION] - last[CSV_POSITION],
+        .dt = now[CSV_TIME] - last[CSV_TIME],
+        .end_x = now[CSV_POSITION] - first[CSV_POSITION],
+        .end_t = now[CSV_TIME] - first[CSV_TIME],
+    };
+    motion.v = replay->setup.has_velocity ? now[CSV_VELOCITY] : motion.dx / motion.dt;
+    return motion;
 }
 
-static int direction_of(float dx)
+static int direction_of(double dx)
 {
-    return (dx > 0.0f) - (dx < 0.0f);
+    return (dx > 0.0) - (dx < 0.0);
 }
 
 /* ---- the figures ---------------------------------------------------------------------------- */
 
 /* The regime at the end of a motion */
-static regime_t regime(const replay_t *replay, const motion_t *motion)
+static regime_t regime(const epf_f32_coeffs_t *c, const motion_t *motion, double z)
 {
-    const epf_f32_coeffs_t *c = &replay->coeffs;
-    const float zeta = (float)direction_of(motion->dx) * epf_f32_z(&replay->estimator);
-    const float z_ss = motion->v != 0.0f ? fabsf(epf_f32_fss(c, motion->v)) / c->sigma_0 : c->z_max;
+    const float v = saturate_float(motion->v);
+    const float z_ss = v != 0.0f ? fabsf(epf_f32_fss(c, v)) / c->sigma_0 : c->z_max;
+    const double zeta = direction_of(motion->dx) * z;
 
-    if (motion->dx == 0.0f || zeta <= c->z_ba) {
+    if (motion->dx == 0.0 || zeta <= (double)c->z_ba) {
         return REGIME_ELASTIC;
     }
-    return zeta >= nearly * z_ss ? REGIME_SLIDING : REGIME_MIXED;
+    return zeta >= (double)(nearly * z_ss) ? REGIME_SLIDING : REGIME_MIXED;
 }
 
-static void count_motion(replay_t *replay, const motion_t *motion, double duration)
+static void count_motion(replay_t *replay, const motion_t *motion, const estimate_t *estimate)
 {
     replay_summary_t *s = &replay->summary;
     const int direction = direction_of(motion->dx);
@@ -70,9 +74,9 @@ static void count_motion(replay_t *replay, const motion_t *motion, double durati
         }
         replay->direction = direction;
     }
-    s->time_in[regime(replay, motion)] += duration;
-    s->duration_s += duration;
-    s->rejected = replay->estimator.rejected;
+    s->time_in[regime(replay_model(replay), motion, estimate->z_m)] += motion->dt;
+    s->duration_s += motion->dt;
+    s->rejected = estimate->rejected;
 }
 
 static void count_sample(replay_summary_t *summary, const replay_sample_t *sample, double z_max)
@@ -95,19 +99,30 @@ double replay_rms_residual(const replay_summary_t *summary)
 
 /* ---- the run -------------------------------------------------------------------------------- */
 
-static replay_sample_t sample_now(const replay_t *replay, const csv_row_t *row)
+static replay_sample_t sample_of(const replay_t *replay, const csv_row_t *row,
+                                 const estimate_t *estimate)
 {
     replay_sample_t sample = {
         .time_s = row->value[CSV_TIME],
         .displacement_m = row->value[CSV_POSITION] - replay->first.value[CSV_POSITION],
-        .z_m = (double)epf_f32_z(&replay->estimator),
-        .force_N = (double)epf_f32_output(&replay->estimator),
+        .z_m = estimate->z_m,
+        .force_N = estimate->force_N,
     };
-    if (replay->has_force) {
+    if (replay->setup.has_force) {
         sample.measured_N = row->value[CSV_FORCE];
         sample.residual_N = sample.measured_N - sample.force_N;
     }
     return sample;
+}
+
+static void move_to(replay_t *replay, const csv_row_t *row)
+{
+    const motion_t motion = motion_to(replay, row);
+    estimator_step(&replay->estimator, &motion);
+    estimator_step(&replay->reference, &motion);
+
+    const estimate_t estimate = estimator_estimate(&replay->estimator);
+    count_motion(replay, &motion, &estimate);
 }
 
 replay_sample_t replay_row(replay_t *replay, const csv_row_t *row)
@@ -115,13 +130,14 @@ replay_sample_t replay_row(replay_t *replay, const csv_row_t *row)
     if (replay->summary.rows == 0) {
         replay->first = *row;
     } else {
-        const motion_t motion = motion_between(&replay->last, row, replay->has_velocity);
-        (void)epf_f32_step(&replay->estimator, motion.dx, motion.v, motion.dt);
-        count_motion(replay, &motion, row->value[CSV_TIME] - replay->last.value[CSV_TIME]);
+        move_to(replay, row);
     }
     replay->last = *row;
 
-    const replay_sample_t sample = sample_now(replay, row);
-    count_sample(&replay->summary, &sample, (double)replay->coeffs.z_max);
+    const estimate_t estimate = estimator_estimate(&replay->estimator);
+    const estimate_t reference = estimator_estimate(&replay->reference);
+    const replay_sample_t sample = sample_of(replay, row, &estimate);
+    count_sample(&replay->summary, &sample, (double)replay_model(replay)->z_max);
+    comparison_add(&replay->comparison, &estimate, &reference, sample.measured_N);
     return sample;
 }

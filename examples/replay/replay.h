@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The estimator run over a motion, row by row, and the figures that sum the run up. Knows nothing
- * of files. The README defines every figure.
+ * The estimator run over a motion, row by row, and the figures that sum the run up. Beside it runs
+ * one of f32, which it is compared with. Knows nothing of files. The README defines every figure.
  */
 #ifndef REPLAY_H
 #define REPLAY_H
 
+#include "comparison.h"
 #include "csv_record.h"
-
-#include <epf/epf.h>
-#include <stdint.h>
+#include "variant.h"
 
 /* What comes out for each row that goes in */
 typedef struct {
@@ -25,22 +24,33 @@ typedef struct {
     double duration_s, time_in[REGIMES]; /* the duration is the sum of the times, s */
     double largest_z;                    /* |z|/z_max */
     double residual_sum, residual_square_sum;
-    uint32_t rejected;
+    unsigned long rejected;
 } replay_summary_t;
 
+/* What is to be run */
 typedef struct {
-    epf_f32_coeffs_t coeffs;
-    epf_f32_t estimator;
+    const variant_t *variant;
+    epf_params_t params;
+    epf_lsb_t lsb;                /* only for a variant on integers */
     bool has_velocity, has_force; /* which columns the rows have */
+} replay_setup_t;
+
+typedef struct {
+    replay_setup_t setup;
+    estimator_t estimator;
+    estimator_t reference; /* f32, whatever the estimator is; it also has the model in SI units */
     csv_row_t first, last;
     int direction; /* of the last motion; 0 before any */
     replay_summary_t summary;
+    comparison_t comparison; /* with the reference */
 } replay_t;
 
-/* The replay must then stay where it is: the estimator refers to the coefficients beside it.
-   What the library says to the parameters; unless it is EPF_OK there is nothing to run. */
-epf_status_t replay_start(replay_t *replay, const epf_params_t *params, bool has_velocity,
-                          bool has_force);
+/* The replay must then stay where it is, as its estimators must. What the library says to the
+   parameters and weights; unless it is EPF_OK there is nothing to run. */
+epf_status_t replay_start(replay_t *replay, const replay_setup_t *setup);
+
+/* The coefficients of the model in SI units */
+const epf_f32_coeffs_t *replay_model(const replay_t *replay);
 
 /* Takes the next row. The first one is the initial state: at rest, no deflection, no force. */
 replay_sample_t replay_row(replay_t *replay, const csv_row_t *row);

@@ -19,13 +19,20 @@
  *
  * Which call goes where:
  *
- *     start-up               coeffs_init (or EPF_F32_COEFFS), init
+ *     start-up               coeffs_init (or EPF_F32_COEFFS, ...), init
  *     encoder interrupt      advance, force                     no division in advance
  *     velocity loop          set_velocity                       may be preempted by the above
  *     anywhere               output                             one word, never torn
  *     a single control loop  step                               all of it in one call
  *
- * Theorems of the paper, checked by the tests on generated sequences of displacements:
+ * Three variants, the same calls and the same contexts; one source file each:
+ *
+ *     epf_f32_...   single precision, SI units: for cores with an FPU
+ *     epf_q31_...   32-bit integers in units of yours: encoder counts in, actuator units out
+ *     epf_q15_...   16-bit integers, no 64-bit arithmetic: for Cortex-M0 and AVR
+ *
+ * Theorems of the paper, checked by the tests on generated sequences of displacements; in q31 and
+ * q15 they hold in exact integer arithmetic and are proven on the source (tests/proof):
  *
  *     Theorem 1  |z_k| <= z_max, for every sequence of inputs
  *     Theorem 2  in steady motion z_k converges to z_ss(v)
@@ -34,6 +41,9 @@
  *
  *     params.h    the model: parameters, their conditions, eq. (22)
  *     f32.h       the estimator in single precision
+ *     q31.h       the estimator on 32-bit integers
+ *     q15.h       the estimator on 16-bit integers
+ *     fixed.h     the numbers that q31 and q15 share
  *     version.h   EPF_VERSION_MAJOR, _MINOR, _PATCH
  */
 #ifndef EPF_EPF_H
@@ -41,6 +51,8 @@
 
 #include "epf/f32.h"
 #include "epf/params.h"
+#include "epf/q15.h"
+#include "epf/q31.h"
 #include "epf/version.h"
 
 #endif

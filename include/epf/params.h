@@ -39,10 +39,10 @@ typedef enum {
     EPF_ERR_Z_BA,       /**< z_ba is not between 0 and z_c = f_c/sigma_0 */
     EPF_ERR_STRIBECK,   /**< stribeck is not an epf_stribeck_t */
     EPF_ERR_UPDATE,     /**< update is not an update rule of this version */
-    EPF_ERR_LSB_X,      /**< lsb.x cannot resolve z_ba, or is too fine for z_max */
-    EPF_ERR_LSB_V,      /**< lsb.v is unusable */
-    EPF_ERR_LSB_F,      /**< lsb.f is unusable */
-    EPF_ERR_LSB_T,      /**< lsb.t is unusable */
+    EPF_ERR_LSB_X,      /**< lsb.x is not positive, too coarse for z_ba or too fine for z_max */
+    EPF_ERR_LSB_V,      /**< lsb.v is not positive, or far from v_s and sigma_2 */
+    EPF_ERR_LSB_F,      /**< lsb.f is not positive, or f_max is not within its integers */
+    EPF_ERR_LSB_T,      /**< lsb.t is not positive, or far too fine for sigma_1 */
     EPF_ERR_RANGE       /**< valid one by one, but a derived value leaves the number format */
 } epf_status_t;
 

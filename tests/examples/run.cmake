@@ -9,6 +9,7 @@
 #   RESULT, EXPECTED  a file that was made, and one that it must equal
 #   AGAIN             a file that a second run with --out <file> makes, equal to RESULT
 #   RMS_AT_MOST       bound for the rms residual that stdout tells, N
+#   OFF_F32_AT_MOST   bound for the residual off f32 that stdout tells, either way, %
 #   NO_GNUPLOT        if true, PATH leads nowhere
 #
 # A failure must print nothing on stdout and leave the directory as it was, with the result of an
@@ -112,6 +113,14 @@ if(RMS_AT_MOST)
         message(SEND_ERROR "stdout tells no rms residual")
     elseif(CMAKE_MATCH_1 GREATER RMS_AT_MOST)
         message(SEND_ERROR "the rms residual is ${CMAKE_MATCH_1} N, above ${RMS_AT_MOST} N")
+    endif()
+endif()
+
+if(OFF_F32_AT_MOST)
+    if(NOT stdout MATCHES "residual off f32 +[+-]([0-9.e+-]+) %")
+        message(SEND_ERROR "stdout does not tell the residual off f32")
+    elseif(CMAKE_MATCH_1 GREATER OFF_F32_AT_MOST)
+        message(SEND_ERROR "the residual is ${CMAKE_MATCH_1} % off f32, not ${OFF_F32_AT_MOST} %")
     endif()
 endif()
 

@@ -8,6 +8,8 @@ set(allowed
     "mem(set|cpy)"               # structure copies; every freestanding compiler needs them
     "_GLOBAL_OFFSET_TABLE_"      # position-independent code
     "__aeabi_mem(set|cpy|clr)[48]?"
+    # products and shifts of 64 bits in q31, where the core has none
+    "__aeabi_(lmul|llsl|llsr)" "__(mul|ashl|lshr)di3"
     # single precision in software
     "__aeabi_(fadd|fsub|frsub|fmul|fdiv|fcmp[a-z]+|cfcmp[a-z]+|cfrcmple|f2u?iz|u?i2f)"
     "__(add|sub|mul|div)sf3" "__(eq|ne|lt|le|gt|ge|unord)sf2" "__fix(uns)?sfsi" "__float(un)?sisf")

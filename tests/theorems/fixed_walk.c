@@ -62,18 +62,27 @@ static void take(epf_fixed_t *ep, fixed_step_t *step, sample_t sample, double *l
     step->z_ss = ep->points[ep->published].z_ss;
 }
 
-static void walk_contact(fixed_step_t *step, unsigned samples, fixed_visitor_t visit)
+void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
+                        const epf_params_t *params, const epf_lsb_t *lsb, unsigned samples,
+                        fixed_visitor_t visit)
 {
+    epf_fixed_coeffs_t coeffs;
+    TEST_ASSERT_EQUAL_INT_MESSAGE(EPF_OK, variant->coeffs_init(&coeffs, params, lsb), contact);
     for (int kind = 0; kind < SEQUENCE_KINDS; kind++) {
-        step->sequence = (sequence_kind_t)kind;
+        fixed_step_t step = {.variant = variant,
+                             .contact = contact,
+                             .sequence = (sequence_kind_t)kind,
+                             .params = params,
+                             .lsb = lsb,
+                             .coeffs = &coeffs};
         sequence_t sequence;
-        sequence_start(&sequence, step->sequence, 1u + (uint32_t)kind);
+        sequence_start(&sequence, step.sequence, 1u + (uint32_t)kind);
         epf_fixed_t ep;
-        step->variant->init(&ep, step->coeffs);
+        variant->init(&ep, &coeffs);
         double left_over = 0.0;
-        for (step->index = 0; step->index < samples; step->index++) {
-            take(&ep, step, sequence_next(&sequence), &left_over);
-            visit(step);
+        for (step.index = 0; step.index < samples; step.index++) {
+            take(&ep, &step, sequence_next(&sequence), &left_over);
+            visit(&step);
         }
     }
 }
@@ -95,15 +104,7 @@ static void walk_set(const fixed_variant_t *variant, const parameter_set_t *set,
         const float finest = params.f_max / params.sigma_0 / 1e9f; /* z_max fits 2^30 counts */
         const epf_lsb_t lsb = {fmaxf(params.z_ba / counts_in_z_ba[i % 3], finest),
                                params.v_s / 150.0f, params.f_max / f_lsbs, 1e-5f};
-        epf_fixed_coeffs_t coeffs;
-        TEST_ASSERT_EQUAL_INT_MESSAGE(EPF_OK, variant->coeffs_init(&coeffs, &params, &lsb),
-                                      set->name);
-        fixed_step_t step = {.variant = variant,
-                             .contact = set->name,
-                             .params = &params,
-                             .lsb = &lsb,
-                             .coeffs = &coeffs};
-        walk_contact(&step, samples, visit);
+        fixed_walk_contact(variant, set->name, &params, &lsb, samples, visit);
     }
 }
 

@@ -36,6 +36,11 @@ typedef void (*fixed_visitor_t)(const fixed_step_t *step);
 
 void fixed_walk(unsigned samples, fixed_visitor_t visit);
 
+/* The same for one variant and one contact */
+void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
+                        const epf_params_t *params, const epf_lsb_t *lsb, unsigned samples,
+                        fixed_visitor_t visit);
+
 /* Fails the running test, naming the step, unless the condition holds */
 void fixed_check(const fixed_step_t *step, bool condition, const char *claim);
 

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * q15 by exhaustion, where its domains are small enough: every normalised divisor, every alpha, every
+ * speed, and every pair of deflection and steady state that the 16-bit arithmetic can tell apart.
+ * Compiled with optimisation and without sanitizers, for it evaluates 10^9 of them.
+ */
+#include "../../src/q15.c" /* NOLINT(bugprone-suspicious-include) */
+
+#include "parameter_sets.h"
+#include "unity.h"
+
+#include <math.h>
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static void test_reciprocal_is_exact_for_every_divisor(void)
+{
+    for (uint32_t m = 32768; m < 65536; m++) {
+        TEST_ASSERT_EQUAL_UINT32(2147483647u / m, reciprocal((uint16_t)m));
+    }
+}
+
+static void test_alpha_never_falls_and_is_within_3e_4_for_every_argument(void)
+{
+    uint32_t before = 0;
+    for (uint32_t u = 0; u <= ONE; u++) {
+        const uint32_t alpha = half_sine(u);
+        const double exact = 0.5 - 0.5 * cos(3.14159265358979323846 * u / 32768.0);
+        TEST_ASSERT_TRUE(alpha >= before && alpha <= ONE);
+        TEST_ASSERT_TRUE(fabs(alpha / 32768.0 - exact) < 3e-4);
+        before = alpha;
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, half_sine(0));
+    TEST_ASSERT_EQUAL_UINT32(ONE, half_sine(ONE));
+}
+
+static void check_every_speed(const epf_fixed_coeffs_t *c, const char *contact)
+{
+    int32_t before = c->z_max;
+    for (int32_t speed = 0; speed <= 32768; speed++) {
+        const int16_t v = (int16_t)-speed;
+        const int32_t z_ss = steady_state(c, v);
+        TEST_ASSERT_TRUE_MESSAGE(z_ss >= c->z_c && z_ss <= before, contact);
+        if (speed < 32768) {
+            TEST_ASSERT_EQUAL_INT32_MESSAGE(z_ss, steady_state(c, (int16_t)speed), contact);
+        }
+        before = z_ss;
+    }
+}
+
+static void test_steady_state_is_bounded_and_never_rises_over_every_speed(void)
+{
+    static const float speeds_in_v_s[] = {0.3f, 3.0f, 150.0f, 20000.0f};
+    for (int set = 0; set < PARAMETER_SETS; set++) {
+        for (int i = 0; i < 4; i++) {
+            const epf_params_t *p = &parameter_sets[set].params;
+            const epf_lsb_t lsb = {p->z_ba / 2.0f, p->v_s / speeds_in_v_s[i], p->f_max / 1e4f,
+                                   1e-5f};
+            epf_fixed_coeffs_t c;
+            TEST_ASSERT_EQUAL_INT(EPF_OK, epf_q15_coeffs_init(&c, p, &lsb));
+            check_every_speed(&c, parameter_sets[set].name);
+        }
+    }
+}
+
+/* Every deflection beyond z_ba that differs in the 16 bits of the quotient, for one z_ss of 30 bits */
+static unsigned long failures_of_share(epf_fixed_coeffs_t *c, int32_t z_ss, int32_t z_ba)
+{
+    unsigned long failures = 0;
+    epf_fixed_point_t point = {.z_ss = z_ss};
+    const uint32_t span = (uint32_t)(z_ss - z_ba);
+    c->z_ba = z_ba;
+    point.z_ss_bits = bit_length((uint32_t)z_ss);
+    point.span_bits = bit_length(span);
+    point.inv_z_ss = inverse((uint32_t)z_ss, point.z_ss_bits);
+    point.inv_span = inverse(span, point.span_bits);
+    uint32_t before = 0;
+    for (int32_t zeta = z_ba + 1; zeta < z_ss; zeta += 1 << 14) {
+        const uint32_t k = plastic_share(c, &point, zeta);
+        failures += k >= ONE || k < before;
+        before = k;
+    }
+    return failures;
+}
+
+static void test_share_is_below_1_and_never_falls_for_every_pair_of_zeta_and_z_ss(void)
+{
+    static const int32_t elastic_shares[] = {1, 300, 500, 800, 999}; /* z_ba/z_ss in 1/1000 */
+    epf_fixed_coeffs_t c = {.z_max = STATE_LIMIT - 1};
+    unsigned long failures = 0;
+    for (int32_t mantissa = 32768; mantissa < 65536; mantissa++) {
+        const int32_t z_ss = mantissa << 14;
+        const int32_t z_ba = z_ss / 1000 * elastic_shares[mantissa % 5];
+        failures += failures_of_share(&c, z_ss, z_ba);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, failures);
+}
+
+/* The same with every elastic share for some z_ss, so that none depends on the choice above */
+static void test_share_is_below_1_and_never_falls_for_every_elastic_share(void)
+{
+    epf_fixed_coeffs_t c = {.z_max = STATE_LIMIT - 1};
+    unsigned long failures = 0;
+    for (int32_t z_ss = 20011; z_ss < STATE_LIMIT;
+         z_ss = z_ss < STATE_LIMIT / 7 ? z_ss * 7 : STATE_LIMIT) {
+        for (int32_t share = 1; share < 1000; share++) {
+            failures += failures_of_share(&c, z_ss, z_ss / 1000 * share);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, failures);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_reciprocal_is_exact_for_every_divisor);
+    RUN_TEST(test_alpha_never_falls_and_is_within_3e_4_for_every_argument);
+    RUN_TEST(test_steady_state_is_bounded_and_never_rises_over_every_speed);
+    RUN_TEST(test_share_is_below_1_and_never_falls_for_every_pair_of_zeta_and_z_ss);
+    RUN_TEST(test_share_is_below_1_and_never_falls_for_every_elastic_share);
+    return UNITY_END() != 0;
+}
