@@ -105,13 +105,13 @@ typedef struct {
 
 #define EPF_GAIN_(x)                                                                       \
     {                                                                                      \
-        (uint32_t)((x) * (float)(1ull << EPF_GAIN_SHIFT_(x))), (uint8_t)EPF_GAIN_SHIFT_(x) \
+        (uint32_t)((x) * (float)(1ULL << EPF_GAIN_SHIFT_(x))), (uint8_t)EPF_GAIN_SHIFT_(x) \
     }
 
 /* Units from counts, kept below 2^30 so that the difference of two states fits 32 bits */
 #define EPF_UNITS_(counts, z_shift)                       \
-    ((counts) * (float)(1l << (z_shift)) < 1073741824.0f  \
-         ? (int32_t)((counts) * (float)(1l << (z_shift))) \
+    ((counts) * (float)(1L << (z_shift)) < 1073741824.0f  \
+         ? (int32_t)((counts) * (float)(1L << (z_shift))) \
          : 1073741823)
 
 /* The quantities that become integers */
