@@ -1,6 +1,5 @@
 # Installs the library, its CMake package (find_package(epf CONFIG)) and its pkg-config file.
 
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/epf)
@@ -18,5 +17,8 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/epf-config-version.
     COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epf-config-version.cmake DESTINATION ${package_dir})
 
+# From the folder of epf.pc to the prefix, however deep the libraries lie
+file(RELATIVE_PATH pc_to_prefix
+    ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 configure_file(${PROJECT_SOURCE_DIR}/cmake/epf.pc.in epf.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epf.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,5 +1,7 @@
 # How every target of the project is compiled.
 
+include(GNUInstallDirs) # before the library says where its headers will be
+
 # Warnings as errors for what is ours, and only while we are the ones who build: a compiler that is
 # newer than ours must not break a user's build.
 function(epf_own_warnings target)
@@ -31,7 +33,7 @@ function(epf_library_sources target)
         ${PROJECT_SOURCE_DIR}/src/q31.c)
     target_include_directories(${target} PUBLIC
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-        $<INSTALL_INTERFACE:include>)
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     epf_language(${target})
     epf_own_warnings(${target})
 endfunction()

@@ -8,11 +8,12 @@
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
 #error "epf/f32 needs float to be IEEE 754 binary32"
 #endif
-#if FLT_EVAL_METHOD != 0
-#error "epf/f32 needs float expressions to be evaluated in float (on x86: -mfpmath=sse)"
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 /* 16: only half precision is widened */
+#error "epf/f32 needs float expressions to be evaluated in float (on 32-bit x86: -mfpmath=sse)"
 #endif
-#ifdef __FAST_MATH__
-#error "epf/f32 needs IEEE arithmetic: compile this file without -ffast-math"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "epf/f32 needs IEEE arithmetic: compile this file without -ffast-math and its parts"
 #endif
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off, or -std=c99 */
@@ -316,5 +317,5 @@ void epf_f32_reset(epf_f32_t *ep, float z)
 
 float epf_f32_z(const epf_f32_t *ep)
 {
-    return ep->z;
+    return *(const volatile float *)&ep->z;
 }

@@ -60,8 +60,10 @@ float epf_sigma_1_limit(const epf_params_t *params, float v, float dt)
         return INFINITY;
     }
     const float speed = v > 0.0f ? v : v < 0.0f ? -v : 0.0f; /* NaN: 0 */
-    const float excess = p.f_max - p.f_c; /* f_max - f_c = sigma_0 (z_max - z_c) */
-    return p.sigma_0 * dt * (p.f_c / excess) + p.sigma_2 * speed * dt * (p.sigma_0 / excess);
+    const float excess = p.f_max - p.f_c;                    /* sigma_0 (z_max - z_c) */
+    const float elastic = p.sigma_0 * dt * (p.f_c / excess);
+    const int has_viscous = p.sigma_2 > 0.0f && speed > 0.0f; /* 0 times infinity is not a bound */
+    return has_viscous ? elastic + p.sigma_2 * speed * dt * (p.sigma_0 / excess) : elastic;
 }
 
 const char *epf_status_text(epf_status_t status)

@@ -22,7 +22,7 @@
  *     start-up               coeffs_init (or EPF_F32_COEFFS, ...), init
  *     encoder interrupt      advance, force                     no division in advance
  *     velocity loop          set_velocity                       may be preempted by the above
- *     anywhere               output                             one word, never torn
+ *     anywhere               output                             one word, never torn on a 32-bit core
  *     a single control loop  step                               all of it in one call
  *
  * Three variants, the same calls and the same contexts; one source file each:

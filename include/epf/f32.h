@@ -12,18 +12,22 @@
  * Promise. With valid coefficients, and whatever the inputs are:
  *  - every returned z obeys |z| <= z_max, and after any motion |z| <= max(|z before|, z_ss(v));
  *  - every returned force is finite;
- *  - a NaN is counted and changes nothing else, and one good sample after it is a good sample.
+ *  - a NaN is counted and changes nothing else, and one good sample after it is a good sample. A leap
+ *    is no NaN: it saturates the state, which the next motion or a reset then corrects.
  *
  * Contexts. Three may share one estimator without locks:
  *  - the *displacement* context (an encoder interrupt, or the control loop) calls advance, update,
- *    step and force, and alone changes the state;
+ *    force, step and reset, and alone changes the state;
  *  - the *velocity* context (the control loop) may call set_velocity at another priority: the
  *    operating point is prepared aside and published by one byte store, so that advance never sees
  *    half of it. Where the velocity context is the one that preempts, it must not do so twice
  *    within one advance or force;
  *  - any number of *readers* call output, which loads the one word that force stores.
  * A function that belongs to two contexts (update, step) puts both at the same priority. On a core
- * that loads a float in pieces (8 and 16 bits), the readers disable the interrupt around output.
+ * that loads a float in pieces (8 and 16 bits), the readers disable the interrupt around output. All
+ * contexts run on one core: nothing here orders the memory of a second one. `rejected` is counted by
+ * both the displacement and the velocity context; where one interrupts the other while it counts,
+ * the count of the interruption is lost.
  *
  * Cost. No loop, no recursion, no libm, no heap, no static data. Divisions are stated per function;
  * the rest is multiplications, additions and comparisons of floats.
@@ -195,7 +199,7 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
  * It opposes motion towards +x where positive, so a compensator adds it to its command. Where the
  * deflection is giving way to the motion (case 1: |z_ss(v)| fell below |z|) the damping term
  * opposes the other two, and is limited to 1 - 2^-10 of them (the passivity guard): Theorems 3 and
- * 4 then hold for every sigma_1 and dt. Within eq. (22) the guard does not act.
+ * 4 then hold for every sigma_1 and dt. Up to 1 - 2^-10 of eq. (22) the guard does not act.
  *
  * @param ep  estimator.
  * @param dt  time over which the last displacement took place, s. Unless it is positive and finite

@@ -107,13 +107,13 @@ epf_status_t epf_params_check(const epf_params_t *params);
  * sigma_1 buys nothing while friction falls with speed.
  *
  * @param params  valid parameters.
- * @param v       velocity, m/s; NaN counts as 0.
+ * @param v       velocity, m/s; NaN counts as 0. The bound is infinite where v is.
  * @param dt      time between updates, s; > 0.
  * @return the bound in N s/m; INFINITY where f_max = f_c (then every sigma_1 will do);
  *         0 for invalid parameters, or a dt that is not positive and finite.
  *
  * Context: design time and start-up; reentrant, touches nothing. Cost: that of epf_params_check,
- * and 4 divisions.
+ * and 2 divisions.
  */
 float epf_sigma_1_limit(const epf_params_t *params, float v, float dt);
 

@@ -5,6 +5,9 @@
  * For cores with nothing but a 16 by 16 to 32-bit multiplication (Cortex-M0, AVR): no 64-bit
  * arithmetic and no division anywhere but in coeffs_init. The state has 32 bits all the same.
  *
+ * Words. u is lsb.x 2^-z_shift, the unit of z; s = sgn dx, zeta = s z, d = |dx|; dw = dx - dz is the
+ * plastic part of a displacement; W = sigma_0 z^2/2; case 1 is zeta > z_ss(v) before a motion.
+ *
  * Promise. With valid coefficients the lemmas and Theorems 1 to 4 hold in exact integer arithmetic,
  * for every sequence of inputs, the extremes of the types included (tests/theorems, tests/proof):
  *  - |z| <= z_max, and after any motion zeta <= z_ss(v);
@@ -22,10 +25,11 @@
  *    within one advance or force;
  *  - any number of *readers* call output, which loads the one word that force stores.
  * A function that belongs to two contexts (update, step) puts both at the same priority. On a core
- * that loads 32 bits in pieces (8 and 16 bits), readers disable the interrupt around output.
+ * that loads 32 bits in pieces (8 and 16 bits), readers disable the interrupt around output. All
+ * contexts run on one core: nothing here orders the memory of a second one.
  *
  * Cost. No division, no floating point but in coeffs_init, no heap, no static data, no unbounded loop.
- * Products of 16 by 16 bits are stated per function.
+ * Products, of factors within 17 bits, are stated per function.
  *
  * "Scaling and overflow" paragraphs number their sentences; fixed_contract_test.c has a test of each
  * number, for this variant and for q31.
@@ -72,7 +76,7 @@ typedef epf_fixed_t epf_q15_t;               /**< one contact; public: rejected 
  *         - EPF_ERR_LSB_F: lsb.f is not positive, or f_max is not within 1 to 32767 of it;
  *         - EPF_ERR_LSB_T: lsb.t is not positive, or sigma_1/sigma_0 is beyond 2^24 of it.
  *
- * Context: start-up. Cost: floating point, some 20 divisions, 4 loops of up to 56 doublings.
+ * Context: start-up. Cost: floating point, some 20 divisions, 5 loops of up to 56 doublings.
  */
 epf_status_t epf_q15_coeffs_init(epf_q15_coeffs_t *coeffs, const epf_params_t *params,
                                  const epf_lsb_t *lsb);
@@ -151,7 +155,7 @@ void epf_q15_set_velocity(epf_q15_t *ep, int16_t v);
  * Scaling and overflow: [8] dx enters the state as dx 2^z_shift u, exactly. [9] All of the range of
  * dx is allowed, the most negative number included; from 2 z_max on the state ends in z_ss(v). [10]
  * The result is within [-z_max, z_max], so that nothing wraps.
- * Context: displacement. Cost: a shift and a sum in the elastic regime, beyond it 8 products.
+ * Context: displacement. Cost: a shift and a sum in the elastic regime, beyond it 9 products.
  */
 int32_t epf_q15_advance(epf_q15_t *ep, int16_t dx);
 
@@ -182,8 +186,8 @@ int32_t epf_q15_update(epf_q15_t *ep, int16_t dx, int16_t v);
  *            damping term is 0.
  * @return force in lsb.f.
  *
- * Scaling and overflow: [11] sigma_0 z is exact; the damping term is within 2^-13 of itself, rounded
- * towards zero to 2^8 sigma_0 u, and saturates at 2^29 of that. [12] The sum is exact; cut to
+ * Scaling and overflow: [11] sigma_0 z is exact; the damping term is within 2^-13 of itself and one unit
+ * of 2^8 sigma_0 u, and saturates at 2^29 of that. [12] The sum is exact; cut to
  * 2^8 sigma_0 u and scaled by 16 bits, the result is within 1.6 lsb.f of it. [13] It saturates at the
  * largest number and its negative. [14] Rounding never turns the sign of the force; where
  * lsb.f <= sigma_0 lsb.x/2, Theorem 4 holds for the rounded force too, with sigma_0 within 2^-15.

@@ -4,6 +4,9 @@
  * The estimator on 32-bit integer signals, in units that the user gives: see fixed.h for the numbers.
  * For cores with a 32 by 32 to 64-bit multiplication (Cortex-M3 and up, RV32IM).
  *
+ * Words. u is lsb.x 2^-z_shift, the unit of z; s = sgn dx, zeta = s z, d = |dx|; dw = dx - dz is the
+ * plastic part of a displacement; W = sigma_0 z^2/2; case 1 is zeta > z_ss(v) before a motion.
+ *
  * Promise. With valid coefficients the lemmas and Theorems 1 to 4 hold in exact integer arithmetic,
  * for every sequence of inputs, the extremes of the types included (tests/theorems, tests/proof):
  *  - |z| <= z_max, and after any motion zeta <= z_ss(v);
@@ -21,7 +24,8 @@
  *    within one advance or force;
  *  - any number of *readers* call output, which loads the one word that force stores.
  * A function that belongs to two contexts (update, step) puts both at the same priority. On a core
- * that loads 32 bits in pieces (8 and 16 bits), readers disable the interrupt around output.
+ * that loads 32 bits in pieces (8 and 16 bits), readers disable the interrupt around output. All
+ * contexts run on one core: nothing here orders the memory of a second one.
  *
  * Cost. No division, no floating point but in coeffs_init, no heap, no static data, no unbounded loop.
  * Products of 32 by 32 bits are stated per function.
@@ -71,7 +75,7 @@ typedef epf_fixed_t epf_q31_t;               /**< one contact; public: rejected 
  *         - EPF_ERR_LSB_F: lsb.f is not positive, or f_max is not within 1 to 2^31 of it;
  *         - EPF_ERR_LSB_T: lsb.t is not positive, or sigma_1/sigma_0 is beyond 2^24 of it.
  *
- * Context: start-up. Cost: floating point, some 20 divisions, 4 loops of up to 56 doublings.
+ * Context: start-up. Cost: floating point, some 20 divisions, 5 loops of up to 56 doublings.
  */
 epf_status_t epf_q31_coeffs_init(epf_q31_coeffs_t *coeffs, const epf_params_t *params,
                                  const epf_lsb_t *lsb);
@@ -105,8 +109,8 @@ void epf_q31_reset(epf_q31_t *ep, int32_t z);
  * @param v       velocity, lsb.v; any.
  * @return force in lsb.f, with the sign of v; 0 for v = 0 (sgn 0 = 0).
  *
- * Scaling and overflow: [2] the result is within 1e-5 (f_max - f_c), and rounded to the nearest lsb.f,
- * ties away from zero. [3] But for that rounding it is from f_c to f_max, so it cannot overflow.
+ * Scaling and overflow: [2] the result is within 1e-5 (f_max - f_c), 0.5 lsb.f and 4e-7 of itself.
+ * [3] But for that rounding it is from f_c to f_max, so it cannot overflow.
  * Context: any; reentrant. Cost: that of epf_q31_set_velocity at the most.
  */
 int32_t epf_q31_fss(const epf_q31_coeffs_t *coeffs, int32_t v);
@@ -135,7 +139,7 @@ int32_t epf_q31_alpha(const epf_q31_coeffs_t *coeffs, int32_t z, int32_t v);
  * Scaling and overflow: [5] all of the range of v is allowed, the most negative number included. [6]
  * |v|/v_s is Q18 and saturates at 2048, where the Stribeck effect has vanished. [7] The viscous term
  * is rounded towards zero to 2^8 sigma_0 u and saturates at 2^29 of that, 128 f_max at the least.
- * Context: velocity. Cost: some 20 products and 3 normalisations, whatever v.
+ * Context: velocity. Cost: some 30 products and 3 normalisations, whatever v.
  */
 void epf_q31_set_velocity(epf_q31_t *ep, int32_t v);
 
@@ -181,13 +185,13 @@ int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v);
  *            damping term is 0.
  * @return force in lsb.f.
  *
- * Scaling and overflow: [11] sigma_0 z is exact; the damping term is within 2^-14 of itself, rounded
- * towards zero to 2^8 sigma_0 u, and saturates at 2^29 of that. [12] The sum is exact and rounded
- * once, to the nearest lsb.f, ties away from zero. [13] It saturates at the largest number and its
+ * Scaling and overflow: [11] sigma_0 z is exact; the damping term is within 2^-14 of itself and one unit
+ * of 2^8 sigma_0 u, and saturates at 2^29 of that. [12] The sum is exact; scaled by
+ * 24 bits, the result is within 0.5 lsb.f and 4e-7 of it. [13] It saturates at the largest number and its
  * negative. [14] Rounding never turns the sign of the force; where lsb.f <= sigma_0 lsb.x, Theorem 4
  * holds for the rounded force too, with sigma_0 within 2^-22.
  * Publishes the force for epf_q31_output by one store of an aligned word.
- * Context: displacement. Cost: 6 products and 1 normalisation.
+ * Context: displacement. Cost: 9 products and 1 normalisation.
  */
 int32_t epf_q31_force(epf_q31_t *ep, uint32_t dt);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Compiled by bad_constants.cmake, which defines COEFFS. */
+/* Compiled by bad_constants.cmake, which defines TYPE and COEFFS. */
 #include "epf/epf.h"
 
-extern const epf_f32_coeffs_t coeffs;
-const epf_f32_coeffs_t coeffs = COEFFS;
+extern const TYPE coeffs;
+const TYPE coeffs = COEFFS;

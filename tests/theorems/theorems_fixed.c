@@ -172,7 +172,7 @@ static void no_step_yields_energy(const fixed_step_t *step)
     if (step->s == 0) {
         return;
     }
-    /* what is beyond 2^29 only adds: the sum is exact in 64 bits */
+    /* what is beyond 2^30 only adds: the product is exact in 64 bits */
     int64_t f = step->s * step->internal_force;
     const int64_t room = (int64_t)1 << 30;
     f = f > room ? room : f;

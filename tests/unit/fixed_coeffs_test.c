@@ -134,6 +134,28 @@ static void test_coeffs_z_shift_is_the_largest_that_keeps_z_max_within_2_30(void
     }
 }
 
+/* A power of two would be 2^30 units exactly, and the difference of two states 2^31 */
+static void test_coeffs_z_max_stays_below_2_30_units(void)
+{
+    params = (epf_params_t){65536.0f,
+                            0.0f,
+                            0.0f,
+                            1.0f,
+                            2.0f,
+                            1e-3f,
+                            1e-5f,
+                            EPF_STRIBECK_LORENTZIAN,
+                            EPF_UPDATE_SATURATED};
+    lsb.x = 1.0f / 4194304.0f; /* z_max is 128 counts */
+    epf_fixed_coeffs_t c;
+    epf_q31_t ep;
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_q31_coeffs_init(&c, &params, &lsb));
+    TEST_ASSERT_EQUAL_INT32((1 << 30) - 1, c.z_max);
+    epf_q31_init(&ep, &c);
+    TEST_ASSERT_EQUAL_INT32(c.z_max, epf_q31_update(&ep, 1000, 0));
+    TEST_ASSERT_EQUAL_INT32(-c.z_max, epf_q31_update(&ep, -1000, 0));
+}
+
 static void check_gain(epf_gain_t gain, double expected, const char *name)
 {
     const double value = ldexp((double)gain.mantissa, -gain.shift);
@@ -222,6 +244,7 @@ int main(void)
     RUN_TEST(test_coeffs_velocity_force_and_time_out_of_range_are_refused);
     RUN_TEST(test_coeffs_q15_refuses_a_force_beyond_16_bits_that_q31_takes);
     RUN_TEST(test_coeffs_z_shift_is_the_largest_that_keeps_z_max_within_2_30);
+    RUN_TEST(test_coeffs_z_max_stays_below_2_30_units);
     RUN_TEST(test_coeffs_gains_are_the_ratios_that_they_stand_for);
     RUN_TEST(test_coeffs_macros_equal_coeffs_init);
     return UNITY_END() != 0;

@@ -148,8 +148,27 @@ static void test_equation_22_bad_input_allows_no_sigma_1(void)
     params.sigma_2 = 1.0f;
     TEST_ASSERT_TRUE(epf_sigma_1_limit(&params, NAN, 1e-3f) ==
                      epf_sigma_1_limit(&params, 0.0f, 1e-3f));
+    TEST_ASSERT_TRUE(isinf(epf_sigma_1_limit(&params, -INFINITY, 1e-3f)));
+    params.sigma_2 = 0.0f;
+    TEST_ASSERT_TRUE(epf_sigma_1_limit(&params, INFINITY, 1e-3f) ==
+                     epf_sigma_1_limit(&params, 0.0f, 1e-3f));
     params.f_c = -1.0f;
     TEST_ASSERT_TRUE(epf_sigma_1_limit(&params, 0.0f, 1e-3f) == 0.0f);
+}
+
+static void test_equation_22_is_never_nan_for_valid_parameters(void)
+{
+    params = (epf_params_t){1e37f,
+                            0.0f,
+                            0.0f,
+                            1.0f,
+                            nextafterf(1.0f, 2.0f),
+                            1.0f,
+                            5e-38f,
+                            EPF_STRIBECK_LORENTZIAN,
+                            EPF_UPDATE_SATURATED};
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_params_check(&params));
+    TEST_ASSERT_FALSE(isnan(epf_sigma_1_limit(&params, 0.0f, 1e-3f)));
 }
 
 int main(void)
@@ -166,5 +185,6 @@ int main(void)
     RUN_TEST(test_equation_22_gives_the_bound_of_table_2);
     RUN_TEST(test_equation_22_sets_no_bound_without_stribeck_effect);
     RUN_TEST(test_equation_22_bad_input_allows_no_sigma_1);
+    RUN_TEST(test_equation_22_is_never_nan_for_valid_parameters);
     return UNITY_END() != 0;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * q15 by exhaustion, where its domains are small enough: every normalised divisor, every alpha, every
- * speed, and every pair of deflection and steady state that the 16-bit arithmetic can tell apart.
+ * speed, and every pair of deflection and steady state that the quotient zeta/z_ss can tell apart.
  * Compiled with optimisation and without sanitizers, for it evaluates 10^9 of them.
  */
 #include "../../src/q15.c" /* NOLINT(bugprone-suspicious-include) */
