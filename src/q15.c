@@ -10,23 +10,46 @@
 
 #define ONE UINT32_C(32768)
 
+/*@ // At most 16 bits each way, so that no product wraps
+    predicate short_inverses(epf_fixed_point_t p) =
+      p.inv_z_ss <= 65535 && p.inv_span <= 65535;
+
+    // The largest force fits 16 bits: as epf_q15_coeffs_init makes them
+    predicate short_output(epf_fixed_coeffs_t *c) = 41 <= c->output.shift + c->z_shift;
+
+    predicate valid_short_contact(epf_fixed_t *ep) =
+      valid_contact(ep) && short_output(ep->coeffs) && short_inverses(ep->points[ep->published]);
+*/
+
+/* floor(a b) */
 /*@ requires a <= 131071 && b <= ONE;
     assigns \nothing;
     ensures \result <= a;
+    ensures a <= ONE ==> \result <= b;
 */
 static uint32_t product(uint32_t a, uint32_t b)
 {
+    /*@ assert a * b <= a * ONE && (a <= ONE ==> a * b <= ONE * b); */
     return a * b / ONE;
 }
 
-/* floor(a b/2^16), also where a b takes 48 bits */
-/*@ requires b <= 65535;
-    assigns \nothing;
-    ensures \result <= a;
+/* floor(a b/2^16), also where a b takes 48 bits; b is 2^16 at the most */
+/*@ assigns \nothing;
+    ensures b == 0 ==> \result == 0;
 */
 static uint32_t high_product(uint32_t a, uint32_t b)
 {
-    return (a / 65536u) * b + (a % 65536u) * b / 65536u;
+    return a / 65536u * b + a % 65536u * b / 65536u;
+}
+
+/* What a share below 1 makes smaller anyhow: the comparison saves the provers a product */
+/*@ assigns \nothing;
+    ensures \result <= bound;
+    ensures x <= bound ==> \result == x;
+*/
+static uint32_t at_most(uint32_t x, uint32_t bound)
+{
+    return x < bound ? x : bound;
 }
 
 /* p 2^-shift, at most TERM_MAX */
@@ -48,12 +71,18 @@ static uint32_t scaled(uint32_t p, int shift)
 }
 
 /* The 16 highest bits of a gain's mantissa; its shift is then 8 less */
+/*@ requires gain.mantissa < 16777216;
+    assigns \nothing;
+*/
 static uint16_t mantissa_16(epf_gain_t gain)
 {
     return (uint16_t)(gain.mantissa >> 8);
 }
 
 /* The reciprocal of a positive x of so many bits, for quotient() */
+/*@ requires 0 < x && bits == length(x);
+    assigns \nothing;
+*/
 static uint16_t inverse(uint32_t x, uint8_t bits)
 {
     return reciprocal(normalised(x, bits));
@@ -83,6 +112,10 @@ static uint32_t quotient(uint32_t a, uint32_t inverse_of_x, uint8_t bits)
 /* ---- steady state: eqs. (6) to (9) --------------------------------------------------------- */
 
 /* 1/(1 + q), q in Q20, below 2^32 - 2^20; Q16 */
+/*@ requires q < 4293918720;
+    assigns \nothing;
+    ensures \result <= 2 * ONE;
+*/
 static uint32_t lorentzian(uint32_t q)
 {
     const uint32_t x = 1048576u + q;
@@ -91,6 +124,9 @@ static uint32_t lorentzian(uint32_t q)
 }
 
 /* exp(-q), q in Q20; Q16. As in f32.c: 2^-n times 2^-r, 0 <= r < 1 */
+/*@ assigns \nothing;
+    ensures \result <= 2 * ONE;
+*/
 static uint32_t gaussian(uint32_t q)
 {
     if (q >= UINT32_C(11) << 20) {
@@ -98,40 +134,53 @@ static uint32_t gaussian(uint32_t q)
     }
     const uint32_t t = (q >> 8) * 47274u; /* log2 e in Q15; now Q27 */
     const uint32_t n = t >> 27;
-    const uint32_t r = (t >> 12) & (ONE - 1u);
+    const uint32_t r = (t >> 12) % ONE;
     const uint32_t bend = 6281u - product(r, 1298u); /* 0.19167742 - 0.03962246 r */
     const uint32_t power = ONE - r / 2u - product(product(r, ONE - r), bend);
     return (2u * power) >> n;
 }
 
 /* In Q16 */
+/*@ requires valid_coeffs(c);
+    requires speed <= 32768;
+    assigns \nothing;
+    ensures \result <= 2 * ONE;
+*/
 static uint32_t stribeck_weight(const epf_fixed_coeffs_t *c, uint32_t speed)
 {
     const uint32_t ratio = /* Q10; 60 v_s and more are as one */
         scaled(speed * mantissa_16(c->v_s_inverse), c->v_s_inverse.shift - 8 - 10);
     const uint32_t r = ratio < 61440u ? ratio : 61440u;
     const uint32_t q = r * r;
-    switch (c->stribeck) {
-    case EPF_STRIBECK_COULOMB:
+    if (c->stribeck == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
-    case EPF_STRIBECK_GAUSSIAN:
-        return gaussian(q); /* (7) */
-    case EPF_STRIBECK_LORENTZIAN:
-    default:
-        return lorentzian(q); /* (8) */
     }
+    return c->stribeck == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
 }
 
 /* |z_ss(v)|, eq. (9) */
+/*@ requires valid_coeffs(c);
+    assigns \nothing;
+    ensures c->z_c <= \result <= c->z_max;
+    ensures v == 0 ==> \result == c->z_max;
+*/
 static int32_t steady_state(const epf_fixed_coeffs_t *c, int16_t v)
 {
     if (v == 0) {
         return c->z_max;
     }
     const uint32_t weight = stribeck_weight(c, magnitude(v));
-    return c->z_c + (int32_t)high_product((uint32_t)(c->z_max - c->z_c), weight);
+    const uint32_t range = (uint32_t)(c->z_max - c->z_c);
+    return c->z_c + (int32_t)at_most(high_product(range, weight), range);
 }
 
+/*@ requires valid_coeffs(c);
+    assigns \nothing;
+    ensures valid_point(c, \result) && short_inverses(\result);
+    ensures v > 0 ==> \result.viscous >= 0;
+    ensures v == 0 ==> \result.viscous == 0;
+    ensures v < 0 ==> \result.viscous <= 0;
+*/
 static epf_fixed_point_t operating_point(const epf_fixed_coeffs_t *c, int16_t v)
 {
     epf_fixed_point_t point;
@@ -165,12 +214,24 @@ static uint32_t half_sine(uint32_t u)
 }
 
 /* alpha for zeta > z_ba */
+/*@ requires \valid_read(c) && \valid_read(point) && short_inverses(*point);
+    requires 0 < c->z_ba < zeta < STATE_LIMIT;
+    requires 1 <= point->span_bits <= 30;
+    assigns \nothing;
+    ensures \result <= ONE;
+*/
 static uint32_t alpha_at(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point, int32_t zeta)
 {
     return half_sine(quotient((uint32_t)(zeta - c->z_ba), point->inv_span, point->span_bits));
 }
 
 /* alpha zeta/z_ss for zeta > z_ba, below 1: at 1 the state would stick under z_ss */
+/*@ requires \valid_read(c) && \valid_read(point) && short_inverses(*point);
+    requires 0 < c->z_ba < zeta < STATE_LIMIT;
+    requires 1 <= point->span_bits <= 30 && 1 <= point->z_ss_bits <= 30;
+    assigns \nothing;
+    ensures \result < ONE; // strict progress
+*/
 static uint32_t plastic_share(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
                               int32_t zeta)
 {
@@ -183,17 +244,37 @@ static uint32_t plastic_share(const epf_fixed_coeffs_t *c, const epf_fixed_point
 /*@ requires 0 < d;
     requires k < ONE;
     assigns \nothing;
-    ensures 0 <= \result < d;
+    ensures 0 <= \result < d; // strict progress
     ensures k == 0 ==> \result == 0;
 */
 static int32_t plastic_part(uint32_t k, int32_t d)
 {
-    return (int32_t)high_product((uint32_t)d, 2 * k);
+    return (int32_t)at_most(high_product((uint32_t)d, 2 * k), (uint32_t)d - 1u);
 }
 
 /* ---- the public functions ------------------------------------------------------------------ */
 
 /* zeta' for so many counts of displacement, more than 0, in the direction in which z is zeta */
+/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, *point) && short_inverses(*point);
+    requires -c->z_max <= zeta <= c->z_max;
+    requires 0 < counts <= 2147483648;
+    assigns \nothing;
+
+    // Theorem 1: the state is bounded
+    ensures -c->z_max <= \result <= point->z_ss;
+    // Lemma 1: below z_ss the deflection changes by between nothing and the displacement, and
+    // strictly: Theorem 2
+    ensures zeta < point->z_ss ==> 0 < \result - zeta <= (counts << c->z_shift);
+    ensures zeta >= point->z_ss ==> \result == point->z_ss;
+    // Lemma 2: plastic displacement has the direction of the motion, and needs more than z_ba
+    ensures (counts << c->z_shift) - (\result - zeta) >= 0;
+    ensures (counts << c->z_shift) - (\result - zeta) > 0 ==> \result > c->z_ba;
+    // The elastic identity, to the unit: no drift
+    ensures zeta + (counts << c->z_shift) <= c->z_ba ==>
+              \result == zeta + (counts << c->z_shift);
+    // Theorem 2: a displacement of 2 z_max arrives at once
+    ensures (counts << c->z_shift) >= 2 * c->z_max ==> \result == point->z_ss;
+*/
 static int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point, int32_t zeta,
                           uint32_t counts)
 {
@@ -205,6 +286,13 @@ static int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *
     return psi(zeta, d, plastic_part(k, d), point->z_ss);
 }
 
+/*@ requires valid_short_contact(ep);
+    assigns ep->z, ep->dz, ep->direction;
+    // Theorem 1: the state is bounded, by every operating point
+    ensures valid_short_contact(ep);
+    ensures \result == ep->z;
+    ensures dx == 0 ==> ep->z == \old(ep->z);
+*/
 int32_t epf_q15_advance(epf_q15_t *ep, int16_t dx)
 {
     const int s = sign(dx);
@@ -215,11 +303,20 @@ int32_t epf_q15_advance(epf_q15_t *ep, int16_t dx)
     return move_to(ep, s, zeta);
 }
 
+/*@ requires valid_body(ep) && short_output(ep->coeffs);
+    assigns ep->points[0 .. 1], ep->published;
+    ensures valid_short_contact(ep);
+*/
 void epf_q15_set_velocity(epf_q15_t *ep, int16_t v)
 {
     publish_point(ep, operating_point(ep->coeffs, v));
 }
 
+/*@ requires valid_short_contact(ep);
+    assigns ep->points[0 .. 1], ep->published, ep->z, ep->dz, ep->direction;
+    ensures valid_short_contact(ep);
+    ensures \result == ep->z;
+*/
 int32_t epf_q15_update(epf_q15_t *ep, int16_t dx, int16_t v)
 {
     epf_q15_set_velocity(ep, v);
@@ -227,6 +324,12 @@ int32_t epf_q15_update(epf_q15_t *ep, int16_t dx, int16_t v)
 }
 
 /* |sigma_1 dz/dt| in units of 2^8 sigma_0 u */
+/*@ requires valid_coeffs(c);
+    requires -2 * c->z_max <= dz <= 2 * c->z_max;
+    requires 0 < dt;
+    assigns \nothing;
+    ensures \result <= TERM_MAX;
+*/
 static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint16_t dt)
 {
     const uint32_t distance = magnitude(dz);
@@ -241,16 +344,27 @@ static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint16_t dt)
 }
 
 /* sigma_0 z + 2^8 rest in lsb.f, to the nearest, saturating */
+/*@ requires valid_coeffs(c) && short_output(c);
+    requires -STATE_LIMIT < z < STATE_LIMIT && -2 * TERM_MAX <= rest <= 2 * TERM_MAX;
+    assigns \nothing;
+    ensures -32767 <= \result <= 32767;
+*/
 static int16_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
 {
-    const int32_t force = z / 256 + rest;
+    const int32_t force = along(sign(z), (int32_t)(magnitude(z) / 256u)) + rest;
     const uint32_t p = high_product(magnitude(force), mantissa_16(c->output));
     const int shift = c->output.shift + c->z_shift - 40; /* 5 at the least, since f_max fits */
-    const uint32_t rounded = ((p >> (shift - 1)) + 1u) >> 1;
+    const uint32_t rounded = ((p >> (shift - 1)) + 1u) / 2u;
     const int16_t most = (int16_t)(rounded < INT16_MAX ? rounded : INT16_MAX);
     return (int16_t)(force < 0 ? -most : most);
 }
 
+/*@ requires valid_short_contact(ep);
+    assigns ep->force, ep->rejected;
+    ensures valid_short_contact(ep);
+    ensures -32767 <= \result <= 32767;
+    ensures ep->force == \result;
+*/
 int16_t epf_q15_force(epf_q15_t *ep, uint16_t dt)
 {
     const epf_fixed_coeffs_t *c = ep->coeffs;
@@ -261,27 +375,46 @@ int16_t epf_q15_force(epf_q15_t *ep, uint16_t dt)
     return force;
 }
 
+/*@ requires valid_short_contact(ep);
+    assigns *ep;
+    ensures valid_short_contact(ep);
+    ensures -32767 <= \result <= 32767;
+*/
 int16_t epf_q15_step(epf_q15_t *ep, int16_t dx, int16_t v, uint16_t dt)
 {
     (void)epf_q15_update(ep, dx, v);
     return epf_q15_force(ep, dt);
 }
 
+/*@ requires \valid_read(ep);
+    assigns \nothing;
+*/
 int16_t epf_q15_output(const epf_q15_t *ep)
 {
     return (int16_t)published_force(ep);
 }
 
+/*@ requires \valid_read(ep);
+    assigns \nothing;
+    ensures \result == ep->z;
+*/
 int32_t epf_q15_z(const epf_q15_t *ep)
 {
     return ep->z;
 }
 
+/*@ requires valid_coeffs(coeffs) && short_output(coeffs);
+    assigns \nothing;
+*/
 int16_t epf_q15_fss(const epf_q15_coeffs_t *coeffs, int16_t v)
 {
     return (int16_t)along(sign(v), in_lsb(coeffs, steady_state(coeffs, v), 0));
 }
 
+/*@ requires valid_coeffs(coeffs);
+    assigns \nothing;
+    ensures 0 <= \result <= STATE_LIMIT; // 0 to 1 in Q30
+*/
 int32_t epf_q15_alpha(const epf_q15_coeffs_t *coeffs, int32_t z, int16_t v)
 {
     const epf_fixed_point_t point = operating_point(coeffs, v);
@@ -289,7 +422,7 @@ int32_t epf_q15_alpha(const epf_q15_coeffs_t *coeffs, int32_t z, int16_t v)
     if (zeta <= coeffs->z_ba) {
         return 0;
     }
-    return zeta < point.z_ss ? (int32_t)(alpha_at(coeffs, &point, zeta) << 15) : STATE_LIMIT;
+    return zeta < point.z_ss ? (int32_t)(alpha_at(coeffs, &point, zeta) * ONE) : STATE_LIMIT;
 }
 
 epf_status_t epf_q15_coeffs_init(epf_q15_coeffs_t *coeffs, const epf_params_t *params,
@@ -298,12 +431,24 @@ epf_status_t epf_q15_coeffs_init(epf_q15_coeffs_t *coeffs, const epf_params_t *p
     return epf_fixed_coeffs_init(coeffs, params, lsb, EPF_Q15_LARGEST_);
 }
 
+/*@ requires \valid(ep) && valid_coeffs(coeffs) && short_output(coeffs) && \separated(ep, coeffs);
+    assigns *ep;
+    ensures valid_short_contact(ep);
+    ensures ep->z == 0 && ep->coeffs == coeffs;
+*/
 void epf_q15_init(epf_q15_t *ep, const epf_q15_coeffs_t *coeffs)
 {
-    *ep = (epf_q15_t){.coeffs = coeffs};
+    ep->coeffs = coeffs;
+    ep->rejected = 0;
+    ep->published = 0;
+    put_to(ep, 0, 0);
     epf_q15_set_velocity(ep, 0);
 }
 
+/*@ requires valid_short_contact(ep);
+    assigns ep->z, ep->dz, ep->direction, ep->force;
+    ensures valid_short_contact(ep);
+*/
 void epf_q15_reset(epf_q15_t *ep, int32_t z)
 {
     const int32_t clamped = clamped_state(ep->coeffs, z);

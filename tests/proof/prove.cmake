@@ -1,0 +1,48 @@
+# Proves the shipped sources, and the theorems on them. Fails when any goal is left.
+
+foreach(tool frama-c why3 z3 cvc4)
+    find_program(found_${tool} ${tool})
+    if(NOT found_${tool})
+        message(FATAL_ERROR "proof: no ${tool}; Debian has frama-c-base, why3, z3 and cvc4")
+    endif()
+endforeach()
+
+# The provers, known to a configuration of our own; scripts are read from a copy of the session,
+# since Frama-C writes into it.
+file(REMOVE_RECURSE ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH})
+file(COPY ${SOURCE_DIR}/tests/proof/wp DESTINATION ${SCRATCH})
+set(ENV{WHY3CONFIG} ${SCRATCH}/why3.conf)
+execute_process(COMMAND why3 config detect OUTPUT_QUIET ERROR_QUIET)
+
+set(total 0)
+
+# prove(FILE OPTIONS...): all contracts of a file, without run-time errors
+function(prove file)
+    execute_process(
+        COMMAND frama-c -wp -wp-rte -wp-no-volatile -wp-cache none -wp-session ${SCRATCH}/wp
+            -wp-prover script,z3,cvc4 -wp-timeout 30 -wp-par 2
+            "-cpp-extra-args=-Iinclude -Isrc -Itests/proof -include tests/proof/shifts.h"
+            ${file} ${ARGN}
+        WORKING_DIRECTORY ${SOURCE_DIR}
+        RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT output MATCHES "Proved goals: +([0-9]+) / ([0-9]+)")
+        message(FATAL_ERROR "proof: Frama-C did not get through ${file}\n${output}")
+    endif()
+    set(proved ${CMAKE_MATCH_1})
+    set(goals ${CMAKE_MATCH_2})
+    message("${file}: Proved goals: ${proved} / ${goals}")
+    if(result OR NOT proved EQUAL goals)
+        string(REGEX MATCHALL "\\[(Failed|Timeout|Unknown)\\] Goal [a-zA-Z0-9_]+" left "${output}")
+        list(JOIN left "\n  " left)
+        message(FATAL_ERROR "proof: goals are left in ${file}:\n  ${left}")
+    endif()
+    math(EXPR total "${total} + ${goals}")
+    set(total ${total} PARENT_SCOPE)
+endfunction()
+
+prove(tests/proof/shifts.c -wp-prop=@lemma)
+prove(src/q31.c -wp-prop=-@lemma)
+prove(src/q15.c -wp-prop=-@lemma)
+prove(tests/proof/theorems.c -wp-prop=-@lemma -wp-fct=internal_force,steady_motion)
+message("all: Proved goals: ${total} / ${total}")
