@@ -17,12 +17,12 @@ execute_process(COMMAND why3 config detect OUTPUT_QUIET ERROR_QUIET)
 
 set(total 0)
 
-# prove(FILE OPTIONS...): all contracts of a file, without run-time errors
-function(prove file)
+# prove(FILE HEADER OPTIONS...): all contracts of a file, given the lemmas of a header before it
+function(prove file header)
     execute_process(
         COMMAND frama-c -wp -wp-rte -wp-no-volatile -wp-cache none -wp-session ${SCRATCH}/wp
             -wp-prover script,z3,cvc4 -wp-timeout 30 -wp-par 2
-            "-cpp-extra-args=-Iinclude -Isrc -Itests/proof -include tests/proof/shifts.h"
+            "-cpp-extra-args=-Iinclude -Isrc -Itests/proof -include ${header}"
             ${file} ${ARGN}
         WORKING_DIRECTORY ${SOURCE_DIR}
         RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -41,8 +41,8 @@ function(prove file)
     set(total ${total} PARENT_SCOPE)
 endfunction()
 
-prove(tests/proof/shifts.c -wp-prop=@lemma)
-prove(src/q31.c -wp-prop=-@lemma)
-prove(src/q15.c -wp-prop=-@lemma)
-prove(tests/proof/theorems.c -wp-prop=-@lemma -wp-fct=internal_force,steady_motion)
+prove(tests/proof/shifts.c src/kernel.h -wp-prop=@lemma)
+prove(tests/proof/theorems.c src/kernel.h -wp-prop=-@lemma -wp-fct=internal_force,steady_motion)
+prove(src/q31.c tests/proof/shifts.h -wp-prop=-@lemma)
+prove(src/q15.c tests/proof/shifts.h -wp-prop=-@lemma)
 message("all: Proved goals: ${total} / ${total}")
