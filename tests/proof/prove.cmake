@@ -42,7 +42,7 @@ function(prove file header)
 endfunction()
 
 prove(tests/proof/shifts.c src/kernel.h -wp-prop=@lemma)
-prove(tests/proof/theorems.c src/kernel.h -wp-prop=-@lemma -wp-fct=internal_force,steady_motion)
+prove(tests/proof/steps.c src/kernel.h -wp-prop=-@lemma -wp-fct=internal_force,steady_motion)
 prove(src/q31.c tests/proof/shifts.h -wp-prop=-@lemma)
 prove(src/q15.c tests/proof/shifts.h -wp-prop=-@lemma)
 message("all: Proved goals: ${total} / ${total}")
