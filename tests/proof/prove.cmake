@@ -15,6 +15,9 @@ file(COPY ${SOURCE_DIR}/tests/proof/wp DESTINATION ${SCRATCH})
 set(ENV{WHY3CONFIG} ${SCRATCH}/why3.conf)
 execute_process(COMMAND why3 config detect OUTPUT_QUIET ERROR_QUIET)
 
+# Frama-C takes PWD for the folder that it works in.
+set(ENV{PWD} ${SOURCE_DIR})
+
 set(total 0)
 
 # prove(FILE HEADER OPTIONS...): all contracts of a file, given the lemmas of a header before it
