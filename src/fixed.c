@@ -5,14 +5,14 @@
 #include <stddef.h>
 
 /* EPF_GAIN_, by doubling instead of comparing */
-static epf_gain_t gain(float x)
+static epf_gain_t gain(float x, int power)
 {
-    uint8_t shift = 0;
+    int shift = 0;
     while (x < 8388608.0f && shift < 56) {
         x *= 2.0f;
         shift++;
     }
-    return (epf_gain_t){(uint32_t)x, shift};
+    return (epf_gain_t){(uint32_t)x, (int8_t)(shift - power)};
 }
 
 /* EPF_Z_SHIFT_, likewise */
@@ -49,13 +49,16 @@ static epf_status_t check_and_derive(epf_fixed_coeffs_t *c, const epf_params_t *
     if (!EPF_LSB_T_OK_(lsb->t, damping)) {
         return EPF_ERR_LSB_T;
     }
-    *c = (epf_fixed_coeffs_t){EPF_UNITS_(z_max, z_shift),
+    const int32_t z_max_u = EPF_UNITS_(z_max, z_shift);
+    *c = (epf_fixed_coeffs_t){z_max_u,
                               EPF_UNITS_(z_c, z_shift),
                               EPF_UNITS_(z_ba, z_shift),
-                              gain(v_s_inverse),
-                              gain(viscous),
-                              gain(damping),
-                              gain(output),
+                              (uint32_t)1 << z_shift,
+                              EPF_LEAP_(z_max_u, z_shift),
+                              gain(v_s_inverse, 0),
+                              gain(viscous, z_shift - 8),
+                              gain(damping, 0),
+                              gain(output, 8 - z_shift),
                               z_shift,
                               p->stribeck};
     return EPF_OK;
@@ -68,5 +71,10 @@ epf_status_t epf_fixed_coeffs_init(epf_fixed_coeffs_t *coeffs, const epf_params_
         return EPF_ERR_NULL;
     }
     const epf_status_t status = epf_params_check(params);
+#ifdef EPF_STRIBECK_ONLY
+    if (status == EPF_OK && params->stribeck != EPF_STRIBECK_ONLY) {
+        return EPF_ERR_STRIBECK;
+    }
+#endif
     return status != EPF_OK ? status : check_and_derive(coeffs, params, lsb, largest_force);
 }

@@ -25,17 +25,16 @@
     predicate valid_coeffs(epf_fixed_coeffs_t *c) =
       \valid_read(c) &&
       0 < c->z_ba < c->z_c <= c->z_max < STATE_LIMIT &&
-      c->z_shift <= 29 &&
-      c->v_s_inverse.mantissa < 16777216 && c->v_s_inverse.shift <= 56 &&
-      c->viscous.mantissa < 16777216 && c->viscous.shift <= 56 &&
-      c->damping.mantissa < 16777216 && c->damping.shift <= 56 &&
-      c->output.mantissa < 16777216 && 9 <= c->output.shift + c->z_shift <= 72;
+      0 < c->unit && 0 < c->leap && (c->leap - 1) * c->unit < 2 * c->z_max <= c->leap * c->unit &&
+      c->v_s_inverse.mantissa < 16777216 && c->viscous.mantissa < 16777216 &&
+      c->damping.mantissa < 16777216 && c->output.mantissa < 16777216 &&
+      1 <= c->output.shift <= 64;
 
     // An operating point of some velocity
-    predicate valid_point(epf_fixed_coeffs_t *c, epf_fixed_point_t p) =
-      c->z_c <= p.z_ss <= c->z_max &&
-      -TERM_MAX <= p.viscous <= TERM_MAX &&
-      1 <= p.z_ss_bits <= 30 && 1 <= p.span_bits <= 30;
+    predicate valid_point(epf_fixed_coeffs_t *c, epf_fixed_point_t *p) =
+      c->z_c <= p->z_ss <= c->z_max &&
+      -TERM_MAX <= p->viscous <= TERM_MAX &&
+      p->span_zeros <= 31;
 
     // z_k, z_k - z_{k-1} and sgn dx_k, as a step leaves them. Where the deflection shrinks along the
     // motion it was above z_ss, and is z_ss > 0 now.
@@ -53,8 +52,15 @@
 
     // A contact from epf_*_init on
     predicate valid_contact(epf_fixed_t *ep) =
-      valid_body(ep) && valid_point(ep->coeffs, ep->points[ep->published]);
+      valid_body(ep) && valid_point(ep->coeffs, &ep->points[ep->published]);
 */
+
+/* What the short path does not need, it should not save registers for */
+#ifdef __GNUC__
+#define OUT_OF_LINE __attribute__((noinline))
+#else
+#define OUT_OF_LINE
+#endif
 
 /* ---- numbers ------------------------------------------------------------------------------- */
 
@@ -68,140 +74,115 @@ static inline uint32_t magnitude(int32_t x)
     return x < 0 ? (uint32_t)(-(x + 1)) + 1u : (uint32_t)x;
 }
 
-/*@ assigns \nothing;
-    ensures x > 0 ==> \result == 1;
-    ensures x == 0 ==> \result == 0;
-    ensures x < 0 ==> \result == -1;
-*/
-static inline int sign(int32_t x)
-{
-    return (x > 0) - (x < 0);
-}
-
-/* s x: x as seen in the direction s */
-/*@ requires s == -1 || s == 0 || s == 1;
-    requires -2147483647 <= x;
+/* x as seen in the direction of s; s is any number that has its sign */
+/*@ requires -2147483647 <= x;
     assigns \nothing;
-    ensures \result == s * x;
+    ensures s >= 0 ==> \result == x;
+    ensures s < 0 ==> \result == -x;
 */
-static inline int32_t along(int s, int32_t x)
+static inline int32_t along(int32_t s, int32_t x)
 {
-    return s > 0 ? x : s < 0 ? -x : 0;
+    return s < 0 ? -x : x;
 }
 
-/* How many bits x has: the position of its highest one, 0 for 0 */
-/*@ logic integer length(integer x) =
-      x < 1 ? 0 : x < 2 ? 1 : x < 4 ? 2 : x < 8 ? 3 : x < 16 ? 4 : x < 32 ? 5 : x < 64 ? 6 :
-      x < 128 ? 7 : x < 256 ? 8 : x < 512 ? 9 : x < 1024 ? 10 : x < 2048 ? 11 : x < 4096 ? 12 :
-      x < 8192 ? 13 : x < 16384 ? 14 : x < 32768 ? 15 : x < 65536 ? 16 : x < 131072 ? 17 :
-      x < 262144 ? 18 : x < 524288 ? 19 : x < 1048576 ? 20 : x < 2097152 ? 21 :
-      x < 4194304 ? 22 : x < 8388608 ? 23 : x < 16777216 ? 24 : x < 33554432 ? 25 :
-      x < 67108864 ? 26 : x < 134217728 ? 27 : x < 268435456 ? 28 : x < 536870912 ? 29 :
-      x < 1073741824 ? 30 : x < 2147483648 ? 31 : 32;
-*/
-/*@ assigns \nothing;
-    ensures \result == length(x);
-*/
-static inline uint8_t bit_length(uint32_t x)
-{
-    uint8_t bits = 0;
-    if (x >= 65536u) {
-        x /= 65536u;
-        bits = 16;
-    }
-    /*@ assert length(\at(x, Pre)) == bits + length(x) && x < 65536 && bits <= 16; */
-    if (x >= 256u) {
-        x /= 256u;
-        bits = (uint8_t)(bits + 8);
-    }
-    /*@ assert length(\at(x, Pre)) == bits + length(x) && x < 256 && bits <= 24; */
-    if (x >= 16u) {
-        x /= 16u;
-        bits = (uint8_t)(bits + 4);
-    }
-    /*@ assert length(\at(x, Pre)) == bits + length(x) && x < 16 && bits <= 28; */
-    if (x >= 4u) {
-        x /= 4u;
-        bits = (uint8_t)(bits + 2);
-    }
-    /*@ assert length(\at(x, Pre)) == bits + length(x) && x < 4 && bits <= 30; */
-    return (uint8_t)(bits + (x < 2u ? x : 2u));
-}
+/* A positive number moved up so that its highest bit is the 32nd: x 2^zeros */
+typedef struct {
+    uint32_t mantissa;
+    int zeros;
+} normal_t;
 
-/* x by a power of two to 16 bits, the highest one set; x > 0 */
-/*@ requires 0 < x && bits == length(x);
+/*@ requires 0 < x;
     assigns \nothing;
-    ensures 32768 <= \result;
+    ensures 0 <= \result.zeros <= 31 && 2147483648 <= \result.mantissa;
+    ensures (x < 2147483648 ==> 1 <= \result.zeros) && (x < 65536 ==> 16 <= \result.zeros);
+    ensures 1048576 <= x ==> \result.zeros <= 11;
 */
-static inline uint16_t normalised(uint32_t x, uint8_t bits)
+static inline normal_t normalised(uint32_t x)
 {
-    return (uint16_t)(bits > 16 ? x >> (bits - 16) : x << (16 - bits));
+#ifdef __ARM_FEATURE_CLZ /* one instruction; a test compares the two on the cores that have it */
+    const int leading = __builtin_clz(x);
+    return (normal_t){x << leading, leading};
+#else
+    int zeros = 0;
+    if (x / 0x10000u == 0) {
+        x *= 0x10000u;
+        zeros = 16;
+    }
+    if (x / 0x1000000u == 0) {
+        x *= 0x100u;
+        zeros += 8;
+    }
+    if (x / 0x10000000u == 0) {
+        x *= 0x10u;
+        zeros += 4;
+    }
+    if (x / 0x40000000u == 0) {
+        x *= 4u;
+        zeros += 2;
+    }
+    if (x / 0x80000000u == 0) {
+        x *= 2u;
+        zeros += 1;
+    }
+    return (normal_t){x, zeros};
+#endif
 }
 
 /*
- * floor((2^31 - 1)/m) for 2^15 <= m < 2^16, exactly, without a division, which small cores do not
- * have: two steps of Newton's iteration from a straight line, then the remainder settles the rest.
+ * About 2^31/m, from below, for 2^15 <= m < 2^16, without a division, which small cores do not have:
+ * two steps of Newton's iteration, x (2 - m x/2^31), from a straight line within 1/17.
  */
 /*@ requires 32768 <= m;
     assigns \nothing;
 */
 static inline uint16_t reciprocal(uint16_t m)
 {
-    uint32_t x = 92517u - (((uint32_t)m * 61681u) >> 16); /* within 1/17 of 2^31/m */
-    x = (x * ((0u - m * x) >> 16)) >> 15;                 /* x (2 - m x/2^31): within 1/17^2 */
-    x = (x * ((0u - m * x) >> 16)) >> 15;                 /* 1/17^4, from below */
-    uint32_t remainder = 2147483647u - m * x;
-    /*@ loop assigns x, remainder;
-        loop variant remainder;
-    */
-    while (remainder >= m) {
-        x++;
-        remainder -= m;
+    uint16_t x = (uint16_t)(92517u - ((uint32_t)m * 61681u >> 16));
+    x = (uint16_t)((uint32_t)x * (uint16_t)((0u - (uint32_t)m * x) >> 16) >> 15);
+    return (uint16_t)((uint32_t)x * (uint16_t)((0u - (uint32_t)m * x) >> 16) >> 15);
+}
+
+/* p 2^-shift, at most TERM_MAX. A p that the shift would make larger is a product of normalised
+   factors, 2^28 or more, and so beyond TERM_MAX anyhow. */
+/*@ assigns \nothing;
+    ensures \result <= TERM_MAX;
+*/
+static inline uint32_t scaled(uint32_t p, int shift)
+{
+    if (shift >= 32) {
+        return 0;
     }
-    return (uint16_t)x;
+    if (shift < 0) {
+        return TERM_MAX;
+    }
+    p >>= shift;
+    return p < TERM_MAX ? p : TERM_MAX;
 }
 
 /* ---- the state: eqs. (12) and (13) --------------------------------------------------------- */
 
 /*
- * zeta' from zeta, given how much of the displacement d is plastic.
+ * zeta' from zeta below z_ss, given how much of the displacement d is plastic: cases 2 and 3.
  */
-/*@ requires -STATE_LIMIT < zeta < STATE_LIMIT;
-    requires 0 < z_ss < STATE_LIMIT;
+/*@ requires -STATE_LIMIT < zeta < z_ss < STATE_LIMIT;
     requires 0 <= plastic < d;
     assigns \nothing;
 
     // Theorem 1: the state is bounded
-    ensures -STATE_LIMIT < \result <= z_ss;
-    ensures zeta <= z_ss ==> zeta <= \result;
-    // Lemma 1: below z_ss the deflection changes by between nothing and the displacement...
-    ensures zeta < z_ss ==> 0 < \result - zeta <= d;
+    ensures \result <= z_ss;
+    // Lemma 1: the deflection changes by between nothing and the displacement...
+    ensures 0 < \result - zeta <= d;
     // ...strict progress, from which Theorem 2 follows: z_ss is reached exactly, in finitely many steps
     // Lemma 2: plastic displacement has the direction of the motion
     ensures d - (\result - zeta) >= 0;
     // The elastic identity: what is not plastic and stays below z_ss is all deflection, to the unit
     ensures plastic == 0 && zeta + d <= z_ss ==> \result == zeta + d;
     ensures \result == z_ss || \result == zeta + (d - plastic);
-    // Case 1
-    ensures zeta >= z_ss ==> \result == z_ss;
 */
 static inline int32_t psi(int32_t zeta, int32_t d, int32_t plastic, int32_t z_ss)
 {
-    if (zeta >= z_ss) {
-        return z_ss; /* case 1 */
-    }
     const int32_t y = d - plastic;            /* (12) */
     return y < z_ss - zeta ? zeta + y : z_ss; /* (13) */
-}
-
-/* The largest number of counts that is not a leap: from 2 z_max on, every state ends in z_ss */
-/*@ requires valid_coeffs(c);
-    assigns \nothing;
-    ensures \forall integer n; n <= \result <==> (n << c->z_shift) < 2 * c->z_max;
-*/
-static inline uint32_t leap_limit(const epf_fixed_coeffs_t *c)
-{
-    return (2u * (uint32_t)c->z_max - 1u) >> c->z_shift;
 }
 
 /* ---- the force: eq. (14) ------------------------------------------------------------------- */
@@ -238,30 +219,27 @@ static inline int32_t rest_along(int32_t zeta, int32_t dzeta, uint32_t viscous, 
 */
 static inline const epf_fixed_point_t *published_point(const epf_fixed_t *ep)
 {
-    return &ep->points[*(const volatile uint8_t *)&ep->published];
+    return *(const volatile uint8_t *)&ep->published == 0 ? &ep->points[0] : &ep->points[1];
+}
+
+/* The other one, for the velocity context to write */
+/*@ requires \valid(ep) && ep->published <= 1;
+    assigns \result \from ep, ep->published;
+    ensures \result == &ep->points[1 - ep->published];
+*/
+static inline epf_fixed_point_t *point_aside(epf_fixed_t *ep)
+{
+    return &ep->points[1u - ep->published];
 }
 
 /* Volatile accesses keep their order: the index follows the point that it announces */
 /*@ requires \valid(ep) && ep->published <= 1;
-    // Until the index is written, an interrupt goes on with the point that is published
-    assigns ep->points[1 - ep->published].z_ss, ep->points[1 - ep->published].viscous,
-            ep->points[1 - ep->published].inv_z_ss, ep->points[1 - ep->published].inv_span,
-            ep->points[1 - ep->published].z_ss_bits, ep->points[1 - ep->published].span_bits,
-            ep->published;
+    assigns ep->published;
     ensures ep->published == 1 - \old(ep->published);
-    ensures ep->points[ep->published] == point;
 */
-static inline void publish_point(epf_fixed_t *ep, epf_fixed_point_t point)
+static inline void publish_point(epf_fixed_t *ep)
 {
-    const uint8_t aside = (uint8_t)(1u - ep->published);
-    volatile epf_fixed_point_t *target = &ep->points[aside];
-    target->z_ss = point.z_ss;
-    target->viscous = point.viscous;
-    target->inv_z_ss = point.inv_z_ss;
-    target->inv_span = point.inv_span;
-    target->z_ss_bits = point.z_ss_bits;
-    target->span_bits = point.span_bits;
-    *(volatile uint8_t *)&ep->published = aside;
+    *(volatile uint8_t *)&ep->published = (uint8_t)(1u - ep->published);
 }
 
 /*@ requires \valid(ep);
@@ -282,25 +260,44 @@ static inline int32_t published_force(const epf_fixed_t *ep)
     return *(const volatile int32_t *)&ep->force;
 }
 
-/* Takes zeta' over into the state. A displacement of 0 leaves z where it is. */
-/*@ requires \valid(ep) && -STATE_LIMIT < ep->z < STATE_LIMIT && -STATE_LIMIT < zeta < STATE_LIMIT;
-    requires -1 <= s <= 1;
-    assigns ep->direction, ep->dz, ep->z;
-    ensures ep->direction == s;
-    ensures ep->z == (s == 0 ? \old(ep->z) : s * zeta);
-    ensures ep->dz == ep->z - \old(ep->z);
-    ensures \result == ep->z;
+/* The form of f_ss(v): that of the contact, or the only one that was compiled */
+/*@ requires \valid_read(c);
+    assigns \nothing;
 */
-static inline int32_t move_to(epf_fixed_t *ep, int s, int32_t zeta)
+static inline epf_stribeck_t form(const epf_fixed_coeffs_t *c)
 {
-    ep->direction = (int8_t)s;
-    if (s == 0) {
-        ep->dz = 0;
-    } else {
-        const int32_t z = along(s, zeta);
-        ep->dz = z - ep->z;
-        ep->z = z;
-    }
+#ifdef EPF_STRIBECK_ONLY
+    (void)c;
+    return EPF_STRIBECK_ONLY;
+#else
+    return c->stribeck;
+#endif
+}
+
+/* A motion in that direction brings the state to z */
+/*@ requires \valid(ep) && -STATE_LIMIT < ep->z < STATE_LIMIT && -STATE_LIMIT < z < STATE_LIMIT;
+    assigns ep->direction, ep->dz, ep->z;
+    ensures ep->direction == direction;
+    ensures ep->z == z && \result == z;
+    ensures ep->dz == z - \old(ep->z);
+*/
+static inline int32_t move_to(epf_fixed_t *ep, int8_t direction, int32_t z)
+{
+    ep->direction = direction;
+    ep->dz = z - ep->z;
+    ep->z = z;
+    return z;
+}
+
+/* A displacement of 0 leaves z where it is */
+/*@ requires \valid(ep);
+    assigns ep->direction, ep->dz;
+    ensures ep->direction == 0 && ep->dz == 0 && \result == ep->z;
+*/
+static inline int32_t stay(epf_fixed_t *ep)
+{
+    ep->direction = 0;
+    ep->dz = 0;
     return ep->z;
 }
 

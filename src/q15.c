@@ -8,66 +8,46 @@
 
 #include "kernel.h"
 
-#define ONE UINT32_C(32768)
+/* The fraction next to 1 stands for 1: no part of a displacement is ever all of it */
+#define ONE UINT16_MAX
 
-/*@ // At most 16 bits each way, so that no product wraps
-    predicate short_inverses(epf_fixed_point_t p) =
-      p.inv_z_ss <= 65535 && p.inv_span <= 65535;
+/*@ // The largest force fits 16 bits: as epf_q15_coeffs_init makes them
+    predicate short_output(epf_fixed_coeffs_t *c) = 33 <= c->output.shift;
 
-    // The largest force fits 16 bits: as epf_q15_coeffs_init makes them
-    predicate short_output(epf_fixed_coeffs_t *c) = 41 <= c->output.shift + c->z_shift;
-
-    predicate valid_short_contact(epf_fixed_t *ep) =
-      valid_contact(ep) && short_output(ep->coeffs) && short_inverses(ep->points[ep->published]);
+    predicate valid_short_contact(epf_fixed_t *ep) = valid_contact(ep) && short_output(ep->coeffs);
 */
 
 /* floor(a b) */
-/*@ requires a <= 131071 && b <= ONE;
-    assigns \nothing;
-    ensures \result <= a;
-    ensures a <= ONE ==> \result <= b;
+/*@ assigns \nothing;
+    ensures \result <= a && \result <= b;
 */
-static uint32_t product(uint32_t a, uint32_t b)
+static uint16_t product(uint16_t a, uint16_t b)
 {
-    /*@ assert a * b <= a * ONE && (a <= ONE ==> a * b <= ONE * b); */
-    return a * b / ONE;
+    /*@ assert (integer)a * b <= a * 65535 && (integer)a * b <= 65535 * b; */
+    return (uint16_t)((uint32_t)a * b / 65536u);
 }
 
-/* floor(a b/2^16), also where a b takes 48 bits; b is 2^16 at the most */
+/* floor(a b), of an integer and a fraction: two products of 16 bits do for 48 */
 /*@ assigns \nothing;
     ensures b == 0 ==> \result == 0;
+    ensures \result <= a;
+    ensures 0 < a ==> \result < a; // strict progress
 */
-static uint32_t high_product(uint32_t a, uint32_t b)
+static uint32_t part(uint32_t a, uint16_t b)
 {
-    return a / 65536u * b + a % 65536u * b / 65536u;
+    const uint16_t high = (uint16_t)(a / 65536u);
+    const uint16_t low = (uint16_t)(a % 65536u);
+    /*@ assert (integer)high * b <= high * 65535 && (integer)low * b <= low * 65535; */
+    return (uint32_t)high * b + (uint32_t)low * b / 65536u;
 }
 
-/* What a share below 1 makes smaller anyhow: the comparison saves the provers a product */
+/* The 16 highest bits */
 /*@ assigns \nothing;
-    ensures \result <= bound;
-    ensures x <= bound ==> \result == x;
+    ensures \result == x / 65536;
 */
-static uint32_t at_most(uint32_t x, uint32_t bound)
+static uint16_t high(uint32_t x)
 {
-    return x < bound ? x : bound;
-}
-
-/* p 2^-shift, at most TERM_MAX */
-/*@ requires -64 <= shift <= 128;
-    assigns \nothing;
-    ensures \result <= TERM_MAX;
-*/
-static uint32_t scaled(uint32_t p, int shift)
-{
-    if (shift >= 32 || p == 0) {
-        return 0;
-    }
-    if (shift >= 0) {
-        p >>= shift;
-    } else {
-        p = bit_length(p) - shift <= 30 ? p << -shift : TERM_MAX;
-    }
-    return p < TERM_MAX ? p : TERM_MAX;
+    return (uint16_t)(x / 65536u);
 }
 
 /* The 16 highest bits of a gain's mantissa; its shift is then 8 less */
@@ -76,214 +56,215 @@ static uint32_t scaled(uint32_t p, int shift)
 */
 static uint16_t mantissa_16(epf_gain_t gain)
 {
-    return (uint16_t)(gain.mantissa >> 8);
+    return (uint16_t)(gain.mantissa / 256u);
 }
 
-/* The reciprocal of a positive x of so many bits, for quotient() */
-/*@ requires 0 < x && bits == length(x);
+/* 2^power x times a gain, at most TERM_MAX */
+/*@ requires gain.mantissa < 16777216;
+    requires 0 <= x.zeros <= 31 && 0 <= power <= 32;
     assigns \nothing;
+    ensures \result <= TERM_MAX;
 */
-static uint16_t inverse(uint32_t x, uint8_t bits)
+static uint32_t gained(normal_t x, epf_gain_t gain, int power)
 {
-    return reciprocal(normalised(x, bits));
+    return scaled((uint32_t)high(x.mantissa) * mantissa_16(gain),
+                  gain.shift + x.zeros - 24 - power);
 }
 
-/* a/x for 0 <= a, from the inverse of x and its number of bits; at most 1 */
-/*@ requires a < STATE_LIMIT;
-    requires inverse_of_x <= 65535;
-    requires 1 <= bits <= 30;
-    assigns \nothing;
-    ensures \result <= ONE;
-*/
-static uint32_t quotient(uint32_t a, uint32_t inverse_of_x, uint8_t bits)
+/* 2^32/x; less than 1 counts as 1 */
+/*@ assigns \nothing; */
+static uint32_t inverse(uint16_t x)
 {
-    uint8_t post = bits;
-    if (bits > 16) {
-        a >>= bits - 16;
-        post = 16;
-    }
-    if (a >= 65536u) {
-        return ONE;
-    }
-    const uint32_t q = (a * inverse_of_x) >> post;
-    return q < ONE ? q : ONE;
+    const normal_t m = normalised(x != 0 ? x : 1u);
+    return (uint32_t)reciprocal(high(m.mantissa)) << (m.zeros - 15);
+}
+
+/* a/x for 0 <= a, from the inverse of x; at most 1 */
+/*@ assigns \nothing; */
+static uint16_t quotient(uint16_t a, uint32_t inverse_of_x)
+{
+    const uint32_t q = part(inverse_of_x, a);
+    return q < ONE ? (uint16_t)q : ONE;
+}
+
+/* A length below 2^30 in 16 bits, for inverse() and quotient() */
+/*@ requires 0 < x < STATE_LIMIT;
+    assigns \nothing;
+*/
+static uint16_t coarse(int32_t x)
+{
+    return (uint16_t)((uint32_t)x / 16384u);
 }
 
 /* ---- steady state: eqs. (6) to (9) --------------------------------------------------------- */
 
-/* 1/(1 + q), q in Q20, below 2^32 - 2^20; Q16 */
+/* 1/(1 + q), q in Q20, below 2^32 - 2^20 */
 /*@ requires q < 4293918720;
     assigns \nothing;
-    ensures \result <= 2 * ONE;
 */
-static uint32_t lorentzian(uint32_t q)
+static uint16_t lorentzian(uint32_t q)
 {
-    const uint32_t x = 1048576u + q;
-    const uint8_t bits = bit_length(x);
-    return (uint32_t)reciprocal(normalised(x, bits)) >> (bits - 21);
+    const normal_t x = normalised(1048576u + q);
+    return (uint16_t)(reciprocal(high(x.mantissa)) >> (11 - x.zeros));
 }
 
-/* exp(-q), q in Q20; Q16. As in f32.c: 2^-n times 2^-r, 0 <= r < 1 */
-/*@ assigns \nothing;
-    ensures \result <= 2 * ONE;
-*/
-static uint32_t gaussian(uint32_t q)
+/* exp(-q), q in Q20. As in f32.c: 2^-n times 2^-r, 0 <= r < 1 */
+/*@ assigns \nothing; */
+static uint16_t gaussian(uint32_t q)
 {
     if (q >= UINT32_C(11) << 20) {
         return 0;
     }
     const uint32_t t = (q >> 8) * 47274u; /* log2 e in Q15; now Q27 */
-    const uint32_t n = t >> 27;
-    const uint32_t r = (t >> 12) % ONE;
-    const uint32_t bend = 6281u - product(r, 1298u); /* 0.19167742 - 0.03962246 r */
-    const uint32_t power = ONE - r / 2u - product(product(r, ONE - r), bend);
-    return (2u * power) >> n;
+    const uint16_t n = (uint16_t)(t >> 27);
+    const uint16_t r = (uint16_t)(t >> 11);
+    const uint16_t bend = (uint16_t)(12562u - product(r, 2597u)); /* 0.19167742 - 0.03962246 r */
+    const uint16_t power =
+        (uint16_t)(ONE - r / 2u - product(product(r, (uint16_t)(ONE - r)), bend));
+    /*@ assert n < 32; */
+    return (uint16_t)(power >> n);
 }
 
-/* In Q16 */
 /*@ requires valid_coeffs(c);
-    requires speed <= 32768;
+    requires 0 <= speed.zeros <= 31;
     assigns \nothing;
-    ensures \result <= 2 * ONE;
 */
-static uint32_t stribeck_weight(const epf_fixed_coeffs_t *c, uint32_t speed)
+static uint16_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t speed)
 {
-    const uint32_t ratio = /* Q10; 60 v_s and more are as one */
-        scaled(speed * mantissa_16(c->v_s_inverse), c->v_s_inverse.shift - 8 - 10);
-    const uint32_t r = ratio < 61440u ? ratio : 61440u;
-    const uint32_t q = r * r;
-    if (c->stribeck == EPF_STRIBECK_COULOMB) {
+    const uint32_t ratio = gained(speed, c->v_s_inverse, 10); /* Q10; 60 v_s and more are as one */
+    const uint16_t r = (uint16_t)(ratio < 61440u ? ratio : 61440u);
+    const uint32_t q = (uint32_t)r * r;
+    /*@ assert q <= 61440 * 61440; */
+    if (form(c) == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
     }
-    return c->stribeck == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
+    return form(c) == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
 }
 
-/* |z_ss(v)|, eq. (9) */
+/* |z_ss(v)|, eq. (9), for |v| > 0 */
 /*@ requires valid_coeffs(c);
+    requires 0 <= speed.zeros <= 31;
     assigns \nothing;
     ensures c->z_c <= \result <= c->z_max;
-    ensures v == 0 ==> \result == c->z_max;
 */
-static int32_t steady_state(const epf_fixed_coeffs_t *c, int16_t v)
+static int32_t steady_state(const epf_fixed_coeffs_t *c, normal_t speed)
 {
-    if (v == 0) {
-        return c->z_max;
-    }
-    const uint32_t weight = stribeck_weight(c, magnitude(v));
-    const uint32_t range = (uint32_t)(c->z_max - c->z_c);
-    return c->z_c + (int32_t)at_most(high_product(range, weight), range);
+    return c->z_c + (int32_t)part((uint32_t)(c->z_max - c->z_c), stribeck_weight(c, speed));
 }
 
-/*@ requires valid_coeffs(c);
-    assigns \nothing;
-    ensures valid_point(c, \result) && short_inverses(\result);
-    ensures v > 0 ==> \result.viscous >= 0;
-    ensures v == 0 ==> \result.viscous == 0;
-    ensures v < 0 ==> \result.viscous <= 0;
+/* All that follows from the velocity */
+/*@ requires valid_coeffs(c) && \valid(point) && \separated(c, point);
+    assigns *point;
+    ensures valid_coeffs(c);
+    ensures valid_point(c, point);
+    ensures v > 0 ==> point->viscous >= 0;
+    ensures v == 0 ==> point->viscous == 0 && point->z_ss == c->z_max;
+    ensures v < 0 ==> point->viscous <= 0;
 */
-static epf_fixed_point_t operating_point(const epf_fixed_coeffs_t *c, int16_t v)
+static void prepare_point(const epf_fixed_coeffs_t *c, int16_t v, epf_fixed_point_t *point)
 {
-    epf_fixed_point_t point;
-    point.z_ss = steady_state(c, v);
-    const uint32_t span = (uint32_t)(point.z_ss - c->z_ba);
-    point.z_ss_bits = bit_length((uint32_t)point.z_ss);
-    point.span_bits = bit_length(span);
-    point.inv_z_ss = inverse((uint32_t)point.z_ss, point.z_ss_bits);
-    point.inv_span = inverse(span, point.span_bits);
-    const uint32_t viscous =
-        scaled(magnitude(v) * mantissa_16(c->viscous), c->viscous.shift - c->z_shift);
-    point.viscous = along(sign(v), (int32_t)viscous);
-    return point;
+    int32_t z_ss = c->z_max;
+    int32_t viscous = 0;
+    if (v != 0) {
+        const normal_t speed = normalised(magnitude(v));
+        z_ss = steady_state(c, speed);
+        viscous = along(v, (int32_t)gained(speed, c->viscous, 0));
+    }
+    const uint16_t span = coarse(z_ss - c->z_ba);
+    volatile epf_fixed_point_t *target = point; /* written before publish_point() */
+    target->z_ss = z_ss;
+    target->viscous = viscous;
+    target->inv_span = inverse(span);
+    target->span_share = quotient(span, inverse(coarse(z_ss)));
+    target->span_zeros = 0;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------ */
 
 /* 1/2 + 1/2 sin(pi (u - 1/2)) for 0 <= u <= 1, within 3e-4, and never falling: as in f32.c with one
    term less, 1.5684085 - 0.6167798 x^2 */
-/*@ requires u <= ONE;
-    assigns \nothing;
-    ensures \result <= ONE;
-*/
-static uint32_t half_sine(uint32_t u)
+/*@ assigns \nothing; */
+static uint16_t half_sine(uint16_t u)
 {
-    const uint32_t x = u < ONE / 2u ? u : ONE - u;
-    const uint32_t slope = 102787u - ((x * x >> 14) * 40421u >> 16); /* Q16 */
-    const uint32_t sine = x * slope >> 15;                           /* Q16 */
-    const uint32_t half = sine * sine >> 17;
-    return u < ONE / 2u ? half : ONE - half;
+    const uint16_t mirror = u < 32768u ? 0 : ONE;
+    const uint16_t x = u ^ mirror;                                              /* u, or 1 - u */
+    const uint16_t slope = (uint16_t)(51394u - product(product(x, x), 20211u)); /* Q15 */
+    const uint16_t sine = (uint16_t)((uint32_t)slope * x >> 15);
+    return product(sine, sine) ^ mirror;
 }
 
-/* alpha for zeta > z_ba */
-/*@ requires \valid_read(c) && \valid_read(point) && short_inverses(*point);
+/* How far zeta > z_ba is from z_ba to z_ss */
+/*@ requires \valid_read(c) && \valid_read(point);
     requires 0 < c->z_ba < zeta < STATE_LIMIT;
-    requires 1 <= point->span_bits <= 30;
     assigns \nothing;
-    ensures \result <= ONE;
 */
-static uint32_t alpha_at(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point, int32_t zeta)
+static uint16_t advance_in_span(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
+                                int32_t zeta)
 {
-    return half_sine(quotient((uint32_t)(zeta - c->z_ba), point->inv_span, point->span_bits));
+    return quotient(coarse(zeta - c->z_ba), point->inv_span);
 }
 
-/* alpha zeta/z_ss for zeta > z_ba, below 1: at 1 the state would stick under z_ss */
-/*@ requires \valid_read(c) && \valid_read(point) && short_inverses(*point);
+/* alpha zeta/z_ss for zeta > z_ba; with u the share of the span, zeta/z_ss = 1 - (1 - u) span/z_ss */
+/*@ requires \valid_read(c) && \valid_read(point);
     requires 0 < c->z_ba < zeta < STATE_LIMIT;
-    requires 1 <= point->span_bits <= 30 && 1 <= point->z_ss_bits <= 30;
     assigns \nothing;
-    ensures \result < ONE; // strict progress
 */
-static uint32_t plastic_share(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
+static uint16_t plastic_share(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
                               int32_t zeta)
 {
-    const uint32_t ratio = quotient((uint32_t)zeta, point->inv_z_ss, point->z_ss_bits);
-    const uint32_t k = product(alpha_at(c, point, zeta), ratio);
-    return k < ONE ? k : ONE - 1u;
-}
-
-/* floor(k d) */
-/*@ requires 0 < d;
-    requires k < ONE;
-    assigns \nothing;
-    ensures 0 <= \result < d; // strict progress
-    ensures k == 0 ==> \result == 0;
-*/
-static int32_t plastic_part(uint32_t k, int32_t d)
-{
-    return (int32_t)at_most(high_product((uint32_t)d, 2 * k), (uint32_t)d - 1u);
+    const uint16_t u = advance_in_span(c, point, zeta);
+    const uint16_t short_of = product((uint16_t)(ONE - u), (uint16_t)point->span_share);
+    return product(half_sine(u), (uint16_t)(ONE - short_of));
 }
 
 /* ---- the public functions ------------------------------------------------------------------ */
 
+/* zeta' from above z_ba, where a part of the displacement is plastic */
+/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, point);
+    requires c->z_ba < zeta < point->z_ss;
+    requires 0 < d;
+    assigns \nothing;
+    ensures zeta < \result <= point->z_ss && \result - zeta <= d;
+*/
+static OUT_OF_LINE int32_t slip(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
+                                int32_t zeta, int32_t d)
+{
+    const uint32_t plastic = part((uint32_t)d, plastic_share(c, point, zeta));
+    return psi(zeta, d, (int32_t)plastic, point->z_ss);
+}
+
 /* zeta' for so many counts of displacement, more than 0, in the direction in which z is zeta */
-/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, *point) && short_inverses(*point);
+/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, point);
     requires -c->z_max <= zeta <= c->z_max;
-    requires 0 < counts <= 2147483648;
+    requires 0 < counts <= 32768;
     assigns \nothing;
 
     // Theorem 1: the state is bounded
     ensures -c->z_max <= \result <= point->z_ss;
     // Lemma 1: below z_ss the deflection changes by between nothing and the displacement, and
     // strictly: Theorem 2
-    ensures zeta < point->z_ss ==> 0 < \result - zeta <= (counts << c->z_shift);
+    ensures zeta < point->z_ss ==> 0 < \result - zeta <= counts * c->unit;
     ensures zeta >= point->z_ss ==> \result == point->z_ss;
     // Lemma 2: plastic displacement has the direction of the motion, and needs more than z_ba
-    ensures (counts << c->z_shift) - (\result - zeta) >= 0;
-    ensures (counts << c->z_shift) - (\result - zeta) > 0 ==> \result > c->z_ba;
+    ensures counts * c->unit - (\result - zeta) >= 0;
+    ensures counts * c->unit - (\result - zeta) > 0 ==> \result > c->z_ba;
     // The elastic identity, to the unit: no drift
-    ensures zeta + (counts << c->z_shift) <= c->z_ba ==>
-              \result == zeta + (counts << c->z_shift);
+    ensures zeta + counts * c->unit <= c->z_ba ==>
+              \result == zeta + counts * c->unit;
     // Theorem 2: a displacement of 2 z_max arrives at once
-    ensures (counts << c->z_shift) >= 2 * c->z_max ==> \result == point->z_ss;
+    ensures counts * c->unit >= 2 * c->z_max ==> \result == point->z_ss;
 */
-static int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point, int32_t zeta,
-                          uint32_t counts)
+static inline int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
+                                 int32_t zeta, uint32_t counts)
 {
-    if (counts > leap_limit(c)) {
-        return point->z_ss;
+    /*@ assert counts < c->leap ==> counts * c->unit <= (c->leap - 1) * c->unit; */
+    /*@ assert counts >= c->leap ==> counts * c->unit >= c->leap * c->unit; */
+    if (zeta >= point->z_ss || counts >= c->leap) {
+        return point->z_ss; /* case 1, or a displacement of 2 z_max */
     }
-    const int32_t d = (int32_t)(counts << c->z_shift);
-    const uint32_t k = zeta <= c->z_ba ? 0 : plastic_share(c, point, zeta);
-    return psi(zeta, d, plastic_part(k, d), point->z_ss);
+    const int32_t d = (int32_t)(counts * c->unit);
+    /*@ assert d == counts * c->unit && 0 < d; */
+    return zeta <= c->z_ba ? psi(zeta, d, 0, point->z_ss) : slip(c, point, zeta, d);
 }
 
 /*@ requires valid_short_contact(ep);
@@ -295,12 +276,13 @@ static int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *
 */
 int32_t epf_q15_advance(epf_q15_t *ep, int16_t dx)
 {
-    const int s = sign(dx);
-    int32_t zeta = along(s, ep->z);
-    if (s != 0) {
-        zeta = next_along(ep->coeffs, published_point(ep), zeta, magnitude(dx));
+    if (dx == 0) {
+        return stay(ep);
     }
-    return move_to(ep, s, zeta);
+    const epf_fixed_coeffs_t *c = ep->coeffs;
+    const epf_fixed_point_t *point = published_point(ep);
+    return dx > 0 ? move_to(ep, 1, next_along(c, point, ep->z, magnitude(dx)))
+                  : move_to(ep, -1, -next_along(c, point, -ep->z, magnitude(dx)));
 }
 
 /*@ requires valid_body(ep) && short_output(ep->coeffs);
@@ -309,7 +291,9 @@ int32_t epf_q15_advance(epf_q15_t *ep, int16_t dx)
 */
 void epf_q15_set_velocity(epf_q15_t *ep, int16_t v)
 {
-    publish_point(ep, operating_point(ep->coeffs, v));
+    prepare_point(ep->coeffs, v, point_aside(ep));
+    /*@ assert valid_motion(ep) && valid_coeffs(ep->coeffs); */
+    publish_point(ep);
 }
 
 /*@ requires valid_short_contact(ep);
@@ -332,15 +316,14 @@ int32_t epf_q15_update(epf_q15_t *ep, int16_t dx, int16_t v)
 */
 static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint16_t dt)
 {
-    const uint32_t distance = magnitude(dz);
-    if (distance == 0) {
+    if (dz == 0) {
         return 0;
     }
-    const uint8_t distance_bits = bit_length(distance);
-    const uint8_t dt_bits = bit_length(dt);
-    const uint32_t inverse_of_dt = reciprocal(normalised(dt, dt_bits)); /* 2^(15 + bits)/dt */
-    const uint32_t p = (uint32_t)normalised(distance, distance_bits) * mantissa_16(c->damping);
-    return scaled((p >> 16) * inverse_of_dt, c->damping.shift + 15 + dt_bits - distance_bits);
+    const normal_t distance = normalised(magnitude(dz));
+    const normal_t time = normalised(dt);
+    const uint16_t p = product(high(distance.mantissa), mantissa_16(c->damping));
+    return scaled((uint32_t)p * reciprocal(high(time.mantissa)),
+                  c->damping.shift + 15 + distance.zeros - time.zeros);
 }
 
 /* sigma_0 z + 2^8 rest in lsb.f, to the nearest, saturating */
@@ -351,9 +334,9 @@ static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint16_t dt)
 */
 static int16_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
 {
-    const int32_t force = along(sign(z), (int32_t)(magnitude(z) / 256u)) + rest;
-    const uint32_t p = high_product(magnitude(force), mantissa_16(c->output));
-    const int shift = c->output.shift + c->z_shift - 40; /* 5 at the least, since f_max fits */
+    const int32_t force = z / 256 + rest;
+    const uint32_t p = part(magnitude(force), mantissa_16(c->output));
+    const int shift = c->output.shift - 32; /* 1 at the least, since f_max fits */
     const uint32_t rounded = ((p >> (shift - 1)) + 1u) / 2u;
     const int16_t most = (int16_t)(rounded < INT16_MAX ? rounded : INT16_MAX);
     return (int16_t)(force < 0 ? -most : most);
@@ -408,7 +391,11 @@ int32_t epf_q15_z(const epf_q15_t *ep)
 */
 int16_t epf_q15_fss(const epf_q15_coeffs_t *coeffs, int16_t v)
 {
-    return (int16_t)along(sign(v), in_lsb(coeffs, steady_state(coeffs, v), 0));
+    if (v == 0) {
+        return 0;
+    }
+    const int32_t z_ss = steady_state(coeffs, normalised(magnitude(v)));
+    return (int16_t)along(v, in_lsb(coeffs, z_ss, 0));
 }
 
 /*@ requires valid_coeffs(coeffs);
@@ -417,12 +404,14 @@ int16_t epf_q15_fss(const epf_q15_coeffs_t *coeffs, int16_t v)
 */
 int32_t epf_q15_alpha(const epf_q15_coeffs_t *coeffs, int32_t z, int16_t v)
 {
-    const epf_fixed_point_t point = operating_point(coeffs, v);
-    const int32_t zeta = along(sign(v), clamped_state(coeffs, z));
-    if (zeta <= coeffs->z_ba) {
+    epf_fixed_point_t point;
+    prepare_point(coeffs, v, &point);
+    const int32_t zeta = along(v, clamped_state(coeffs, z));
+    if (v == 0 || zeta <= coeffs->z_ba) {
         return 0;
     }
-    return zeta < point.z_ss ? (int32_t)(alpha_at(coeffs, &point, zeta) * ONE) : STATE_LIMIT;
+    return zeta < point.z_ss ? 16384 * half_sine(advance_in_span(coeffs, &point, zeta))
+                             : STATE_LIMIT;
 }
 
 epf_status_t epf_q15_coeffs_init(epf_q15_coeffs_t *coeffs, const epf_params_t *params,

@@ -1,220 +1,208 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The estimator on 32-bit signals, with 64-bit products. Read next_along() for the update rule and
- * internal_force() for eq. (14). Fractions are Q30: 2^30 is 1.
+ * in_lsb() for eq. (14). Fractions are Q32 where nothing else is said, so that a product is the high
+ * word of a multiplication.
  */
 #include "epf/q31.h"
 
 #include "kernel.h"
 
-#define ONE UINT32_C(1073741824)
+/* The fraction next to 1 stands for 1: no part of a displacement is ever all of it */
+#define ONE UINT32_MAX
 
-/* floor(a b) */
-/*@ requires b <= ONE;
-    assigns \nothing;
-    ensures \result <= a;
-    ensures a <= ONE ==> \result <= b;
-    ensures b <= ONE / 2 ==> 2 * \result <= a;
-    ensures 0 < a && b < ONE ==> \result < a; // strict progress
+/* floor(a b), of two fractions, or of an integer and a fraction */
+/*@ assigns \nothing;
+    ensures \result <= a && \result <= b;
+    ensures 0 < a ==> \result < a; // strict progress
     ensures b == 0 ==> \result == 0;
 */
 static uint32_t product(uint32_t a, uint32_t b)
 {
-    return (uint32_t)((uint64_t)a * b / ONE);
+    /*@ assert (integer)a * b <= a * 4294967295 && (integer)a * b <= 4294967295 * b; */
+    return (uint32_t)((uint64_t)a * b / 4294967296u);
 }
 
-/* x times the mantissa of a gain */
-/*@ requires x <= 2147483648 && gain.mantissa < 16777216;
-    assigns \nothing;
-    ensures \result < 36028797018963968; // 2^55
-*/
-static uint64_t by_mantissa(uint32_t x, epf_gain_t gain)
+/* Q30 to Q32, at most 1 */
+/*@ assigns \nothing; */
+static uint32_t from_q30(uint32_t x)
 {
-    return (uint64_t)x * gain.mantissa;
+    return x < 1073741824u ? 4u * x : ONE;
 }
 
-/* p 2^-shift, at most TERM_MAX; p < 2^60 */
-/*@ requires p < 1152921504606846976;
-    requires -32 <= shift;
+/* 2^32/m in Q30, for 2^31 <= m < 2^32: three steps of Newton's iteration, x (2 - m x), from a
+   straight line within 1/17 */
+/*@ assigns \nothing; */
+static inline uint32_t inverse(uint32_t m)
+{
+    uint32_t x = 3031741620u - product(m, 2021161080u);
+    x = 4u * product(x, 2147483648u - product(m, x));
+    x = 4u * product(x, 2147483648u - product(m, x));
+    return 4u * product(x, 2147483648u - product(m, x));
+}
+
+/* a/x for 0 <= a <= x, from the leading zeros of x and the inverse of what is left */
+/*@ requires 0 <= zeros <= 31;
+    assigns \nothing;
+*/
+static uint32_t quotient(uint32_t a, uint32_t inverse_of_x, int zeros)
+{
+    return from_q30(product(a << zeros, inverse_of_x));
+}
+
+/* 2^power x times a gain, at most TERM_MAX */
+/*@ requires gain.mantissa < 16777216;
+    requires 0 <= x.zeros <= 31 && 0 <= power <= 32;
     assigns \nothing;
     ensures \result <= TERM_MAX;
 */
-static uint32_t scaled(uint64_t p, int shift)
+static inline uint32_t gained(normal_t x, epf_gain_t gain, int power)
 {
-    if (shift >= 64 || p == 0) {
-        return 0;
-    }
-    const uint64_t x = shift >= 0 ? p >> shift : p < TERM_MAX ? p << -shift : TERM_MAX;
-    return x < TERM_MAX ? (uint32_t)x : TERM_MAX;
-}
-
-/* About 2^63/m, below 2^32, for 2^31 <= m < 2^32: one step of Newton's iteration after 16 bits */
-/*@ requires 2147483648 <= m;
-    assigns \nothing;
-*/
-static uint32_t reciprocal_32(uint32_t m)
-{
-    const uint32_t x = (uint32_t)reciprocal((uint16_t)(m >> 16)) << 16;
-    const uint32_t error = (uint32_t)(((uint64_t)m * x) >> 32); /* 2^31 m x/2^63 */
-    const uint64_t y = ((uint64_t)x * (0u - error)) >> 31;
-    return y < UINT32_MAX ? (uint32_t)y : UINT32_MAX;
-}
-
-/* The reciprocal of a positive x of so many bits, for quotient() */
-/*@ requires 0 < x && bits == length(x);
-    assigns \nothing;
-*/
-static uint32_t inverse(uint32_t x, uint8_t bits)
-{
-    return reciprocal_32(x << (32 - bits));
-}
-
-/* a/x for 0 <= a, from the inverse of x and its number of bits; at most 1 */
-/*@ requires 1 <= bits <= 30;
-    assigns \nothing;
-    ensures \result <= ONE;
-*/
-static uint32_t quotient(uint32_t a, uint32_t inverse_of_x, uint8_t bits)
-{
-    const uint64_t q = ((uint64_t)a * inverse_of_x) >> (bits + 1);
-    return q < ONE ? (uint32_t)q : ONE;
+    return scaled(product(x.mantissa, 256u * gain.mantissa), gain.shift + x.zeros - 24 - power);
 }
 
 /* ---- steady state: eqs. (6) to (9) --------------------------------------------------------- */
 
 /* 1/(1 + q), q in Q36 */
-/*@ assigns \nothing;
-    ensures \result <= ONE;
+/*@ requires q <= 288230376151711744; // 2^58
+    assigns \nothing;
 */
-static uint32_t lorentzian(uint64_t q)
+static inline uint32_t lorentzian(uint64_t q)
 {
-    const uint64_t x = ((uint64_t)1 << 32) + (q >> 4); /* 1 + q, at least 33 bits */
-    const uint8_t bits = bit_length((uint32_t)(x / 4294967296u));
-    return reciprocal_32((uint32_t)(x >> bits)) >> (bits + 1);
+    const uint64_t x = 4294967296u + q / 16u; /* 1 + q in Q32, at least 33 bits */
+    const normal_t high = normalised((uint32_t)(x / 4294967296u));
+    const int bits = 32 - high.zeros;
+    return from_q30(inverse((uint32_t)(x >> bits)) >> bits);
 }
 
 /* exp(-q), q in Q36: 2^-n times 2^-r, 0 <= r < 1, by a polynomial that is exact at both ends */
-/*@ assigns \nothing;
-    ensures \result <= ONE;
-*/
+/*@ assigns \nothing; */
 static uint32_t gaussian(uint64_t q)
 {
     if (q >= (uint64_t)22 << 36) {
         return 0;
     }
     const uint64_t t = (q >> 10) * 3098164009u; /* log2 e in Q31; now Q57 */
-    /*@ assert t / 144115188075855872 < 32; */
-    const uint32_t n = (uint32_t)(t >> 57);
-    const uint32_t r = (uint32_t)(t >> 27) % ONE;
+    const uint32_t n = (uint32_t)(t / ((uint64_t)1 << 57)) % 32u;
+    const uint32_t r = (uint32_t)(t >> 25);
     /* 0.19314418 - r (0.04703982 - r (0.00826757 - r 0.00094842)) */
     const uint32_t bend =
-        207386989u - product(r, 50508625u - product(r, 8877239u - product(r, 1018363u)));
-    const uint32_t power = ONE - r / 2u - product(product(r, ONE - r), bend);
-    /*@ assert power <= ONE && n < 32 && (power >> n) <= power; */
-    return power >> n;
+        829547955u - product(r, 202034500u - product(r, 35508957u - product(r, 4073451u)));
+    return (ONE - r / 2u - product(product(r, ONE - r), bend)) >> n;
 }
 
 /*@ requires valid_coeffs(c);
-    requires speed <= 2147483648;
+    requires 0 <= speed.zeros <= 31;
     assigns \nothing;
-    ensures \result <= ONE;
 */
-static uint32_t stribeck_weight(const epf_fixed_coeffs_t *c, uint32_t speed)
+static inline uint32_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t speed)
 {
-    const uint32_t ratio =
-        scaled(by_mantissa(speed, c->v_s_inverse), c->v_s_inverse.shift - 18); /* Q18 */
+    const uint32_t ratio = gained(speed, c->v_s_inverse, 18); /* Q18 */
     const uint64_t q = (uint64_t)ratio * ratio;
-    if (c->stribeck == EPF_STRIBECK_COULOMB) {
+    /*@ assert q <= TERM_MAX * TERM_MAX; */
+    if (form(c) == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
     }
-    return c->stribeck == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
+    return form(c) == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
 }
 
-/* |z_ss(v)|, eq. (9) */
+/* |z_ss(v)|, eq. (9), for |v| > 0 */
 /*@ requires valid_coeffs(c);
+    requires 0 <= speed.zeros <= 31;
     assigns \nothing;
     ensures c->z_c <= \result <= c->z_max;
-    ensures v == 0 ==> \result == c->z_max;
 */
-static int32_t steady_state(const epf_fixed_coeffs_t *c, int32_t v)
+static inline int32_t steady_state(const epf_fixed_coeffs_t *c, normal_t speed)
 {
-    if (v == 0) {
-        return c->z_max;
-    }
-    const uint32_t weight = stribeck_weight(c, magnitude(v));
-    return c->z_c + (int32_t)product((uint32_t)(c->z_max - c->z_c), weight);
+    return c->z_c + (int32_t)product((uint32_t)(c->z_max - c->z_c), stribeck_weight(c, speed));
 }
 
-/*@ requires valid_coeffs(c);
-    assigns \nothing;
-    ensures valid_point(c, \result);
-    ensures v > 0 ==> \result.viscous >= 0;
-    ensures v == 0 ==> \result.viscous == 0;
-    ensures v < 0 ==> \result.viscous <= 0;
+/* All that follows from the velocity */
+/*@ requires valid_coeffs(c) && \valid(point) && \separated(c, point);
+    assigns *point;
+    ensures valid_coeffs(c);
+    ensures valid_point(c, point);
+    ensures v > 0 ==> point->viscous >= 0;
+    ensures v == 0 ==> point->viscous == 0 && point->z_ss == c->z_max;
+    ensures v < 0 ==> point->viscous <= 0;
 */
-static epf_fixed_point_t operating_point(const epf_fixed_coeffs_t *c, int32_t v)
+static inline void prepare_point(const epf_fixed_coeffs_t *c, int32_t v, epf_fixed_point_t *point)
 {
-    epf_fixed_point_t point;
-    point.z_ss = steady_state(c, v);
-    const uint32_t span = (uint32_t)(point.z_ss - c->z_ba);
-    point.z_ss_bits = bit_length((uint32_t)point.z_ss);
-    point.span_bits = bit_length(span);
-    point.inv_z_ss = inverse((uint32_t)point.z_ss, point.z_ss_bits);
-    point.inv_span = inverse(span, point.span_bits);
-    const uint32_t viscous =
-        scaled(by_mantissa(magnitude(v), c->viscous), c->viscous.shift + 8 - c->z_shift);
-    point.viscous = along(sign(v), (int32_t)viscous);
-    return point;
+    int32_t z_ss = c->z_max;
+    int32_t viscous = 0;
+    if (v != 0) {
+        const normal_t speed = normalised(magnitude(v));
+        z_ss = steady_state(c, speed);
+        viscous = along(v, (int32_t)gained(speed, c->viscous, 0));
+    }
+    const normal_t normal_z_ss = normalised((uint32_t)z_ss);
+    const normal_t span = normalised((uint32_t)(z_ss - c->z_ba));
+    volatile epf_fixed_point_t *target = point; /* written before publish_point() */
+    target->z_ss = z_ss;
+    target->viscous = viscous;
+    target->inv_span = inverse(span.mantissa);
+    target->span_share =
+        quotient((uint32_t)(z_ss - c->z_ba), inverse(normal_z_ss.mantissa), normal_z_ss.zeros);
+    target->span_zeros = (uint8_t)span.zeros;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------ */
 
 /* 1/2 + 1/2 sin(pi (u - 1/2)) for 0 <= u <= 1: the polynomial of f32.c */
-/*@ requires u <= ONE;
-    assigns \nothing;
-    ensures \result <= ONE;
-*/
+/*@ assigns \nothing; */
 static uint32_t half_sine(uint32_t u)
 {
-    const uint32_t x = u < ONE / 2u ? u : ONE - u;
+    const uint32_t mirror = u < 2147483648u ? 0 : ONE;
+    const uint32_t x = u ^ mirror; /* u, or 1 - u */
     const uint32_t q = product(x, x);
-    const uint32_t slope = 1686614170u - product(693230716u - product(83100150u, q), q);
-    const uint32_t sine = product(slope, x);
-    const uint32_t half = product(sine, sine);
-    return u < ONE / 2u ? half : ONE - half;
+    const uint32_t slope = 3373228340u - product(1386461432u - product(166200300u, q), q); /* Q31 */
+    const uint32_t sine = 2u * product(slope, x);
+    return product(sine, sine) ^ mirror;
 }
 
-/* alpha for zeta > z_ba */
+/* How far zeta > z_ba is from z_ba to z_ss */
 /*@ requires \valid_read(c) && \valid_read(point);
     requires 0 < c->z_ba < zeta < STATE_LIMIT;
-    requires 1 <= point->span_bits <= 30;
+    requires point->span_zeros <= 31;
     assigns \nothing;
-    ensures \result <= ONE;
 */
-static uint32_t alpha_at(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point, int32_t zeta)
+static uint32_t advance_in_span(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
+                                int32_t zeta)
 {
-    return half_sine(quotient((uint32_t)(zeta - c->z_ba), point->inv_span, point->span_bits));
+    return quotient((uint32_t)(zeta - c->z_ba), point->inv_span, point->span_zeros);
 }
 
-/* alpha zeta/z_ss for zeta > z_ba, below 1: at 1 the state would stick under z_ss */
+/* alpha zeta/z_ss for zeta > z_ba; with u the share of the span, zeta/z_ss = 1 - (1 - u) span/z_ss */
 /*@ requires \valid_read(c) && \valid_read(point);
     requires 0 < c->z_ba < zeta < STATE_LIMIT;
-    requires 1 <= point->span_bits <= 30 && 1 <= point->z_ss_bits <= 30;
+    requires point->span_zeros <= 31;
     assigns \nothing;
-    ensures \result < ONE; // strict progress
 */
 static uint32_t plastic_share(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
                               int32_t zeta)
 {
-    const uint32_t ratio = quotient((uint32_t)zeta, point->inv_z_ss, point->z_ss_bits);
-    const uint32_t k = product(alpha_at(c, point, zeta), ratio);
-    return k < ONE ? k : ONE - 1u;
+    const uint32_t u = advance_in_span(c, point, zeta);
+    return product(half_sine(u), ONE - product(ONE - u, point->span_share));
 }
 
 /* ---- the public functions ------------------------------------------------------------------ */
 
+/* zeta' from above z_ba, where a part of the displacement is plastic */
+/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, point);
+    requires c->z_ba < zeta < point->z_ss;
+    requires 0 < d;
+    assigns \nothing;
+    ensures zeta < \result <= point->z_ss && \result - zeta <= d;
+*/
+static OUT_OF_LINE int32_t slip(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
+                                int32_t zeta, int32_t d)
+{
+    const uint32_t plastic = product((uint32_t)d, plastic_share(c, point, zeta));
+    return psi(zeta, d, (int32_t)plastic, point->z_ss);
+}
+
 /* zeta' for so many counts of displacement, more than 0, in the direction in which z is zeta */
-/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, *point);
+/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, point);
     requires -c->z_max <= zeta <= c->z_max;
     requires 0 < counts <= 2147483648;
     assigns \nothing;
@@ -223,26 +211,28 @@ static uint32_t plastic_share(const epf_fixed_coeffs_t *c, const epf_fixed_point
     ensures -c->z_max <= \result <= point->z_ss;
     // Lemma 1: below z_ss the deflection changes by between nothing and the displacement, and
     // strictly: Theorem 2
-    ensures zeta < point->z_ss ==> 0 < \result - zeta <= (counts << c->z_shift);
+    ensures zeta < point->z_ss ==> 0 < \result - zeta <= counts * c->unit;
     ensures zeta >= point->z_ss ==> \result == point->z_ss;
     // Lemma 2: plastic displacement has the direction of the motion, and needs more than z_ba
-    ensures (counts << c->z_shift) - (\result - zeta) >= 0;
-    ensures (counts << c->z_shift) - (\result - zeta) > 0 ==> \result > c->z_ba;
+    ensures counts * c->unit - (\result - zeta) >= 0;
+    ensures counts * c->unit - (\result - zeta) > 0 ==> \result > c->z_ba;
     // The elastic identity, to the unit: no drift
-    ensures zeta + (counts << c->z_shift) <= c->z_ba ==>
-              \result == zeta + (counts << c->z_shift);
+    ensures zeta + counts * c->unit <= c->z_ba ==>
+              \result == zeta + counts * c->unit;
     // Theorem 2: a displacement of 2 z_max arrives at once
-    ensures (counts << c->z_shift) >= 2 * c->z_max ==> \result == point->z_ss;
+    ensures counts * c->unit >= 2 * c->z_max ==> \result == point->z_ss;
 */
-static int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point, int32_t zeta,
-                          uint32_t counts)
+static inline int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
+                                 int32_t zeta, uint32_t counts)
 {
-    if (counts > leap_limit(c)) {
-        return point->z_ss;
+    /*@ assert counts < c->leap ==> counts * c->unit <= (c->leap - 1) * c->unit; */
+    /*@ assert counts >= c->leap ==> counts * c->unit >= c->leap * c->unit; */
+    if (zeta >= point->z_ss || counts >= c->leap) {
+        return point->z_ss; /* case 1, or a displacement of 2 z_max */
     }
-    const int32_t d = (int32_t)(counts << c->z_shift);
-    const uint32_t k = zeta <= c->z_ba ? 0 : plastic_share(c, point, zeta);
-    return psi(zeta, d, (int32_t)product((uint32_t)d, k), point->z_ss);
+    const int32_t d = (int32_t)(counts * c->unit);
+    /*@ assert d == counts * c->unit && 0 < d; */
+    return zeta <= c->z_ba ? psi(zeta, d, 0, point->z_ss) : slip(c, point, zeta, d);
 }
 
 /*@ requires valid_contact(ep);
@@ -252,23 +242,26 @@ static int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *
     ensures \result == ep->z;
     ensures dx == 0 ==> ep->z == \old(ep->z);
 */
-int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx)
+inline int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx)
 {
-    const int s = sign(dx);
-    int32_t zeta = along(s, ep->z);
-    if (s != 0) {
-        zeta = next_along(ep->coeffs, published_point(ep), zeta, magnitude(dx));
+    if (dx == 0) {
+        return stay(ep);
     }
-    return move_to(ep, s, zeta);
+    const epf_fixed_coeffs_t *c = ep->coeffs;
+    const epf_fixed_point_t *point = published_point(ep);
+    return dx > 0 ? move_to(ep, 1, next_along(c, point, ep->z, magnitude(dx)))
+                  : move_to(ep, -1, -next_along(c, point, -ep->z, magnitude(dx)));
 }
 
 /*@ requires valid_body(ep);
     assigns ep->points[0 .. 1], ep->published;
     ensures valid_contact(ep);
 */
-void epf_q31_set_velocity(epf_q31_t *ep, int32_t v)
+inline void epf_q31_set_velocity(epf_q31_t *ep, int32_t v)
 {
-    publish_point(ep, operating_point(ep->coeffs, v));
+    prepare_point(ep->coeffs, v, point_aside(ep));
+    /*@ assert valid_motion(ep) && valid_coeffs(ep->coeffs); */
+    publish_point(ep);
 }
 
 /*@ requires valid_contact(ep);
@@ -276,7 +269,7 @@ void epf_q31_set_velocity(epf_q31_t *ep, int32_t v)
     ensures valid_contact(ep);
     ensures \result == ep->z;
 */
-int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v)
+inline int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v)
 {
     epf_q31_set_velocity(ep, v);
     return epf_q31_advance(ep, dx);
@@ -289,13 +282,16 @@ int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v)
     assigns \nothing;
     ensures \result <= TERM_MAX;
 */
-static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint32_t dt)
+static inline uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint32_t dt)
 {
-    const uint8_t bits = bit_length(dt);
-    const uint32_t inverse_of_dt = reciprocal(normalised(dt, bits)); /* 2^(15 + bits)/dt */
-    const uint64_t p = by_mantissa(magnitude(dz), c->damping);
-    /*@ assert p / 2048 * inverse_of_dt <= p / 2048 * 65535; */
-    return scaled(p / 2048u * inverse_of_dt, c->damping.shift + 12 + bits);
+    if (dz == 0) {
+        return 0;
+    }
+    const normal_t distance = normalised(magnitude(dz));
+    const normal_t time = normalised(dt);
+    const uint32_t p = product(distance.mantissa, 256u * c->damping.mantissa);
+    return scaled(product(p, inverse(time.mantissa)),
+                  c->damping.shift + 14 + distance.zeros - time.zeros);
 }
 
 /* sigma_0 z + 2^8 rest in lsb.f, to the nearest, saturating */
@@ -307,12 +303,11 @@ static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint32_t dt)
     ensures z + 256 * rest > 0 ==> \result >= 0;
     ensures z + 256 * rest < 0 ==> \result <= 0;
 */
-static int32_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
+static inline int32_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
 {
     const int64_t force = (int64_t)z + 256 * (int64_t)rest;
     const uint64_t p = (uint64_t)(force < 0 ? -force : force) * c->output.mantissa;
-    const int shift = c->output.shift + c->z_shift - 8;
-    const uint64_t rounded = ((p >> (shift - 1)) + 1u) / 2u;
+    const uint64_t rounded = ((p >> (c->output.shift - 1)) + 1u) / 2u;
     const int32_t most = rounded < INT32_MAX ? (int32_t)rounded : INT32_MAX;
     return force < 0 ? -most : most;
 }
@@ -323,7 +318,7 @@ static int32_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
     ensures -2147483647 <= \result <= 2147483647;
     ensures ep->force == \result;
 */
-int32_t epf_q31_force(epf_q31_t *ep, uint32_t dt)
+inline int32_t epf_q31_force(epf_q31_t *ep, uint32_t dt)
 {
     const epf_fixed_coeffs_t *c = ep->coeffs;
     const uint32_t damped = has_time(ep, dt) ? damping(c, ep->dz, dt) : 0;
@@ -369,7 +364,11 @@ int32_t epf_q31_z(const epf_q31_t *ep)
 */
 int32_t epf_q31_fss(const epf_q31_coeffs_t *coeffs, int32_t v)
 {
-    return along(sign(v), in_lsb(coeffs, steady_state(coeffs, v), 0));
+    if (v == 0) {
+        return 0;
+    }
+    const int32_t z_ss = steady_state(coeffs, normalised(magnitude(v)));
+    return along(v, in_lsb(coeffs, z_ss, 0));
 }
 
 /*@ requires valid_coeffs(coeffs);
@@ -378,12 +377,14 @@ int32_t epf_q31_fss(const epf_q31_coeffs_t *coeffs, int32_t v)
 */
 int32_t epf_q31_alpha(const epf_q31_coeffs_t *coeffs, int32_t z, int32_t v)
 {
-    const epf_fixed_point_t point = operating_point(coeffs, v);
-    const int32_t zeta = along(sign(v), clamped_state(coeffs, z));
-    if (zeta <= coeffs->z_ba) {
+    epf_fixed_point_t point;
+    prepare_point(coeffs, v, &point);
+    const int32_t zeta = along(v, clamped_state(coeffs, z));
+    if (v == 0 || zeta <= coeffs->z_ba) {
         return 0;
     }
-    return zeta < point.z_ss ? (int32_t)alpha_at(coeffs, &point, zeta) : (int32_t)ONE;
+    return zeta < point.z_ss ? (int32_t)(half_sine(advance_in_span(coeffs, &point, zeta)) / 4u)
+                             : STATE_LIMIT;
 }
 
 epf_status_t epf_q31_coeffs_init(epf_q31_coeffs_t *coeffs, const epf_params_t *params,

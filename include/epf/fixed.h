@@ -36,7 +36,7 @@ extern "C" {
 /** A positive real coefficient, mantissa 2^-shift with 2^23 <= mantissa < 2^24; or 0. */
 typedef struct {
     uint32_t mantissa;
-    uint8_t shift;
+    int8_t shift;
 } epf_gain_t;
 
 /**
@@ -44,37 +44,38 @@ typedef struct {
  * and be shared by any number of estimators of either variant. Read it freely, change it never.
  */
 typedef struct {
-    int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; below 2^30 */
+    int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 */
     int32_t z_c;             /**< f_c/sigma_0, u */
     int32_t z_ba;            /**< break-away deflection, u; at least one count of displacement */
+    uint32_t unit;           /**< one count of displacement, u: 2^z_shift */
+    uint32_t leap;           /**< the smallest displacement of 2 z_max or more, counts */
     epf_gain_t v_s_inverse;  /**< lsb.v/v_s */
-    epf_gain_t viscous;      /**< viscous force of one lsb.v, in the force of one lsb.x */
+    epf_gain_t viscous;      /**< viscous force of one lsb.v, 2^8 sigma_0 u */
     epf_gain_t damping;      /**< sigma_1/sigma_0, lsb.t */
-    epf_gain_t output;       /**< force of 2^-8 lsb.x of deflection, lsb.f */
-    uint8_t z_shift;         /**< one count of displacement is 2^z_shift u; 0 to 29 */
+    epf_gain_t output;       /**< sigma_0 u, lsb.f */
+    uint8_t z_shift;         /**< 0 to 29 */
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
 } epf_fixed_coeffs_t;
 
 /** All that follows from the velocity alone. Private. */
 typedef struct {
-    int32_t z_ss;      /* |z_ss(v)|, u */
-    int32_t viscous;   /* sigma_2 v, 2^8 sigma_0 u */
-    uint32_t inv_z_ss; /* 1/z_ss and 1/(z_ss - z_ba): reciprocals of the normalised values, */
-    uint32_t inv_span; /* and how many bits those have */
-    uint8_t z_ss_bits;
-    uint8_t span_bits;
+    int32_t z_ss;        /* |z_ss(v)|, u */
+    int32_t viscous;     /* sigma_2 v, 2^8 sigma_0 u */
+    uint32_t inv_span;   /* 1/(z_ss - z_ba), as quotient() takes it */
+    uint32_t span_share; /* (z_ss - z_ba)/z_ss */
+    uint8_t span_zeros;  /* leading zeros of z_ss - z_ba */
 } epf_fixed_point_t;
 
 /** One contact. Allocate it anywhere, initialise it. Only `rejected` is public. */
 typedef struct {
     const epf_fixed_coeffs_t *coeffs;
-    epf_fixed_point_t points[2]; /* the published operating point, and the one being prepared */
     int32_t z;                   /* z_k, u */
     int32_t dz;                  /* z_k - z_{k-1}, u */
     int32_t force;               /* as last published, lsb.f */
     uint16_t rejected;           /**< unusable values (dt = 0) since init; stays at UINT16_MAX */
     int8_t direction;            /* sgn(dx_k) */
     uint8_t published;           /* index of the published operating point */
+    epf_fixed_point_t points[2]; /* the published one, and the one being prepared */
 } epf_fixed_t;
 
 /*
@@ -103,9 +104,11 @@ typedef struct {
      EPF_ABOVE_(x, 1.0f / 256.0f) + EPF_ABOVE_(x, 1.0f / 65536.0f) +         \
      EPF_ABOVE_(x, 1.0f / 16777216.0f) + EPF_ABOVE_(x, 1.0f / 4294967296.0f))
 
-#define EPF_GAIN_(x)                                                                       \
-    {                                                                                      \
-        (uint32_t)((x) * (float)(1ULL << EPF_GAIN_SHIFT_(x))), (uint8_t)EPF_GAIN_SHIFT_(x) \
+/* x 2^power */
+#define EPF_GAIN_(x, power)                                    \
+    {                                                          \
+        (uint32_t)((x) * (float)(1ULL << EPF_GAIN_SHIFT_(x))), \
+            (int8_t)(EPF_GAIN_SHIFT_(x) - (power))             \
     }
 
 /* Units from counts, kept below 2^30 so that the difference of two states fits 32 bits */
@@ -146,19 +149,24 @@ typedef struct {
      EPF_REQUIRE_(EPF_LSB_F_OK_(lsb_f, f_max, EPF_OUTPUT_(sigma_0, lsb_x, lsb_f), largest)) +   \
      EPF_REQUIRE_(EPF_LSB_T_OK_(lsb_t, EPF_DAMPING_(sigma_1, sigma_0, lsb_t))))
 
-#define EPF_FIXED_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, lsb_x, \
-                          lsb_v, lsb_f, lsb_t)                                               \
-    {                                                                                        \
-        EPF_UNITS_(EPF_COUNTS_(f_max, sigma_0, lsb_x),                                       \
-                   EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x))),                        \
-            EPF_UNITS_(EPF_COUNTS_(f_c, sigma_0, lsb_x),                                     \
-                       EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x))),                    \
-            EPF_UNITS_((z_ba) / (lsb_x), EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x))),  \
-            EPF_GAIN_(EPF_V_S_INVERSE_(v_s, lsb_v)),                                         \
-            EPF_GAIN_(EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v)),                         \
-            EPF_GAIN_(EPF_DAMPING_(sigma_1, sigma_0, lsb_t)),                                \
-            EPF_GAIN_(EPF_OUTPUT_(sigma_0, lsb_x, lsb_f)),                                   \
-            (uint8_t)EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x)), (stribeck)            \
+#define EPF_LEAP_(z_max, z_shift) (((2u * (uint32_t)(z_max)-1u) >> (z_shift)) + 1u)
+
+#define EPF_FIXED_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, lsb_x,      \
+                          lsb_v, lsb_f, lsb_t)                                                    \
+    EPF_FIXED_SHIFTED_(EPF_COUNTS_(f_max, sigma_0, lsb_x), EPF_COUNTS_(f_c, sigma_0, lsb_x),      \
+                       (z_ba) / (lsb_x), EPF_V_S_INVERSE_(v_s, lsb_v),                            \
+                       EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v),                              \
+                       EPF_DAMPING_(sigma_1, sigma_0, lsb_t), EPF_OUTPUT_(sigma_0, lsb_x, lsb_f), \
+                       stribeck, EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x)))
+
+/* From z_max, z_c, z_ba in counts, and gains per count */
+#define EPF_FIXED_SHIFTED_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, output, stribeck,  \
+                           z_shift)                                                            \
+    {                                                                                          \
+        EPF_UNITS_(z_max, z_shift), EPF_UNITS_(z_c, z_shift), EPF_UNITS_(z_ba, z_shift),       \
+            (uint32_t)1 << (z_shift), EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift),          \
+            EPF_GAIN_(v_s_inverse, 0), EPF_GAIN_(viscous, (z_shift)-8), EPF_GAIN_(damping, 0), \
+            EPF_GAIN_(output, 8 - (z_shift)), (uint8_t)(z_shift), (stribeck)                   \
     }
 
 /* Arguments: the fields of epf_params_t, then those of epf_lsb_t, in their order */

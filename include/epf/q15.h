@@ -125,7 +125,7 @@ int16_t epf_q15_fss(const epf_q15_coeffs_t *coeffs, int16_t v);
  * @param v       velocity, lsb.v; any. Only sgn(v) and z_ss(v) count.
  * @return alpha; 0 where z and v differ in sign, and where one of them is 0.
  *
- * Scaling and overflow: [4] the result is Q30, from 0 to 2^30, which is 1, in steps of 2^15.
+ * Scaling and overflow: [4] the result is Q30, from 0 to 2^30, which is 1, in steps of 2^14.
  * Context: any; reentrant. Cost: that of epf_q15_set_velocity and epf_q15_advance.
  */
 int32_t epf_q15_alpha(const epf_q15_coeffs_t *coeffs, int32_t z, int16_t v);

@@ -23,7 +23,7 @@
 static int64_t internal_force(int32_t zeta, int32_t d, int32_t plastic, int32_t z_ss, int32_t z_ba,
                               uint32_t viscous, uint32_t damping, int32_t *next)
 {
-    *next = psi(zeta, d, plastic, z_ss);
+    *next = zeta < z_ss ? psi(zeta, d, plastic, z_ss) : z_ss;
     const int32_t rest = rest_along(*next, *next - zeta, viscous, damping);
     const int64_t force = *next + 256 * (int64_t)rest;
     /*@ ghost int64_t dz = *next - (int64_t)zeta; */
@@ -65,7 +65,7 @@ static int32_t steady_motion(int32_t zeta, int32_t d, int32_t z_ss)
         loop variant zeta == z_ss ? 0 : zeta > z_ss ? 1 : z_ss - zeta;
     */
     while (zeta != z_ss) {
-        zeta = psi(zeta, d, any_plastic_part(zeta, d), z_ss);
+        zeta = zeta < z_ss ? psi(zeta, d, any_plastic_part(zeta, d), z_ss) : z_ss;
     }
     return zeta;
 }

@@ -131,6 +131,9 @@ static void test_coeffs_z_shift_is_the_largest_that_keeps_z_max_within_2_30(void
         TEST_ASSERT_TRUE(fabs(c.z_max * unit / (double)z_max - 1.0) < 3e-7);
         TEST_ASSERT_TRUE(fabs(c.z_ba * unit / (double)params.z_ba - 1.0) < 3e-7);
         TEST_ASSERT_TRUE(c.z_ba >= (int32_t)(1L << c.z_shift));
+        TEST_ASSERT_EQUAL_UINT32(1uL << c.z_shift, c.unit);
+        const int64_t leap = (int64_t)c.leap * c.unit; /* in units: just 2 z_max */
+        TEST_ASSERT_TRUE(leap >= 2 * (int64_t)c.z_max && leap - c.unit < 2 * (int64_t)c.z_max);
     }
 }
 
@@ -170,11 +173,11 @@ static void test_coeffs_gains_are_the_ratios_that_they_stand_for(void)
         const epf_lsb_t w = {p->z_ba / 30.0f, p->v_s / 77.0f, p->f_max / 1e4f, 3e-5f};
         epf_fixed_coeffs_t c;
         TEST_ASSERT_EQUAL_INT(EPF_OK, epf_q15_coeffs_init(&c, p, &w));
-        const double count = (double)p->sigma_0 * (double)w.x; /* force of one count, N */
+        const double unit = (double)p->sigma_0 * (double)w.x / (double)c.unit; /* sigma_0 u, N */
         check_gain(c.v_s_inverse, (double)w.v / (double)p->v_s, "v_s_inverse");
-        check_gain(c.viscous, (double)p->sigma_2 * (double)w.v / count, "viscous");
+        check_gain(c.viscous, (double)p->sigma_2 * (double)w.v / (256.0 * unit), "viscous");
         check_gain(c.damping, (double)p->sigma_1 / (double)p->sigma_0 / (double)w.t, "damping");
-        check_gain(c.output, count / 256.0 / (double)w.f, "output");
+        check_gain(c.output, unit / (double)w.f, "output");
     }
 }
 
@@ -215,6 +218,8 @@ static void check_equal(const epf_fixed_coeffs_t *a, const epf_fixed_coeffs_t *b
     TEST_ASSERT_EQUAL_INT32(a->z_max, b->z_max);
     TEST_ASSERT_EQUAL_INT32(a->z_c, b->z_c);
     TEST_ASSERT_EQUAL_INT32(a->z_ba, b->z_ba);
+    TEST_ASSERT_EQUAL_UINT32(a->unit, b->unit);
+    TEST_ASSERT_EQUAL_UINT32(a->leap, b->leap);
     TEST_ASSERT_EQUAL_INT(a->z_shift, b->z_shift);
     TEST_ASSERT_EQUAL_INT(a->stribeck, b->stribeck);
     check_equal_gains(a->v_s_inverse, b->v_s_inverse);
