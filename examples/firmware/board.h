@@ -13,6 +13,7 @@
 void encoder_interrupt(void);
 void control_interrupt(void);
 
+/* Enables the interrupts */
 void board_start(void);
 
 /* Taken before the call returns, unless an interrupt of the same priority is active */

@@ -9,13 +9,13 @@
 #define SLIDE \
     1e5f, 15.0f, 20.0f, 1.0f, 1.5f, 1e-3f, 7e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
 
-#define COUNT      1e-7f /* m, of the encoder */
-#define SPEED      1e-5f /* m/s */
-#define FORCE      1e-4f /* N */
-#define TICK       1e-4f /* s, of the timer of the encoder */
-#define CONTROL_MS 1     /* period of the control interrupt */
-#define SIGNALS    COUNT, SPEED, FORCE, TICK
+#define COUNT   1e-7f /* m, of the encoder */
+#define SPEED   1e-5f /* m/s */
+#define FORCE   1e-4f /* N */
+#define TICK    1e-4f /* s, of the timer of the encoder */
+#define SIGNALS COUNT, SPEED, FORCE, TICK
 
+#define CONTROL_MS        1  /* period of the control interrupt */
 #define TICKS_PER_CONTROL 10 /* CONTROL_MS/TICK */
 #define SPEED_OF_COUNT    10 /* one COUNT in one control period, in SPEED */
 

@@ -73,8 +73,8 @@ static void print_columns(uint16_t ms)
 
 int main(void)
 {
-    board_start();
     friction_start();
+    board_start(); /* from here on they interrupt */
 
     print_text("ms position command force digest\n");
     for (uint16_t ms = 0; !machine_has_stopped(); ms += CONTROL_MS) {

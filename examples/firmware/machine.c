@@ -14,12 +14,21 @@ typedef struct {
 } segment_t;
 
 static const segment_t motion[] = {
-    {1000, 820, 0, 0},  {300, 0, 0, 0},        /* slow reversals, with dwells */
-    {1000, -820, 0, 0}, {300, 0, 0, 0},        /**/
-    {1000, 820, 0, 0},  {300, 0, 0, 0},        /**/
-    {1024, 0, 16, 0},   {1024, 16384, -16, 0}, /* through the Stribeck velocity, and back */
-    {1024, 0, -16, 0},  {1024, -16384, 16, 0}, /**/
-    {300, 0, 0, 0},     {1200, 820, 0, 30},    /* tremor */
+    /* slow reversals, with dwells */
+    {1000, 820, 0, 0},
+    {300, 0, 0, 0},
+    {1000, -820, 0, 0},
+    {300, 0, 0, 0},
+    {1000, 820, 0, 0},
+    {300, 0, 0, 0},
+    /* through the Stribeck velocity, and back */
+    {1024, 0, 16, 0},
+    {1024, 16384, -16, 0},
+    {1024, 0, -16, 0},
+    {1024, -16384, 16, 0},
+    {300, 0, 0, 0},
+    /* tremor */
+    {1200, 820, 0, 30},
 };
 #define SEGMENTS (sizeof motion / sizeof motion[0])
 

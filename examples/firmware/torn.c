@@ -8,8 +8,10 @@
 #include "friction.h"
 #include "print.h"
 
-/* In units of SPEED, each with another operating point. The one before the last is what the place
-   of the new one holds while it is being written: it must not be equal to that. */
+#include <stddef.h>
+
+/* In units of SPEED, each with an operating point of its own. There are two places: that which gets
+   the new point holds the stale one, so half of each would be neither the old nor the new. */
 enum { STALE = 100, OLD = 50, NEW = 300 };
 
 /* An experiment: what the control interrupt does, what the encoder interrupt does meanwhile, and
@@ -118,20 +120,28 @@ typedef struct {
     uint16_t before, after, torn;
 } count_t;
 
+static void count_one(count_t *count, uint32_t before, uint32_t after)
+{
+    if (seen == before) {
+        count->before++;
+    } else if (seen == after) {
+        count->after++;
+    } else {
+        count->torn++;
+    }
+}
+
 static count_t sweep(bool other_place)
 {
     const uint32_t before = without_preemption(other_place, true);
     const uint32_t after = without_preemption(other_place, false);
     count_t count = {0, 0, 0};
-    bool reached = false;
-    for (uint16_t clocks = 1; !reached || in_time; clocks++) {
+    bool begun = false; /* the first alarms come before the control interrupt */
+    for (uint16_t clocks = 1; in_time || !begun; clocks++) {
         preempt_after(clocks, other_place);
         if (in_time) {
-            reached = true;
-            uint16_t *outcome = seen == before  ? &count.before
-                                : seen == after ? &count.after
-                                                : &count.torn;
-            (*outcome)++;
+            begun = true;
+            count_one(&count, before, after);
         }
     }
     return count;
@@ -159,7 +169,7 @@ int main(void)
 {
     bool whole = true;
     board_start();
-    for (uint8_t i = 0; i < sizeof experiments / sizeof experiments[0]; i++) {
+    for (size_t i = 0; i < sizeof experiments / sizeof experiments[0]; i++) {
         experiment = &experiments[i];
         whole = is_whole(false) && whole;
         whole = is_whole(true) && whole;
