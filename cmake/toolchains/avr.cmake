@@ -11,3 +11,6 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--gc-sections")
 
 # Ours, on libsimavr: tests/target builds it
 set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_BINARY_DIR}/avrrun ${EPF_MCU})
+
+# Emulation is slow: see tests/sequences/effort.h
+set(EPF_TEST_ONE_IN 200 CACHE STRING "Run one in so many samples of each test")

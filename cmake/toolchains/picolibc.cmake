@@ -22,3 +22,6 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT "--crt0=hosted --oslib=semihost \
 set(CMAKE_CROSSCOMPILING_EMULATOR ${EPF_QEMU}
     -display none -monitor none -serial none -chardev stdio,id=console,signal=off
     -semihosting-config enable=on,target=native,chardev=console -kernel)
+
+# Emulation is slow: see tests/sequences/effort.h
+set(EPF_TEST_ONE_IN 20 CACHE STRING "Run one in so many samples of each test")
