@@ -29,15 +29,16 @@ README = images.HERE.parent.parent / "README.md"
 
 
 def measure(cores, scratch):
-    """All figures; and everything that was traced, into results.csv."""
-    found = {}
+    """All figures; results.csv gets everything that was traced."""
+    found, rows = {}, []
+    for core in cores:
+        print(f"measuring {core}", flush=True)
+        found[core], measured = figures.of_core(core, scratch)
+        rows += [(core, *key, value) for key, value in measured.items()]
     with open(scratch / "results.csv", "w", newline="", encoding="utf-8") as stream:
         out = csv.writer(stream, lineterminator="\n")
         out.writerow(["core", "variant", "function", "form", "path", "metric", "value"])
-        for core in cores:
-            print(f"measuring {core}", flush=True)
-            found[core], measured = figures.of_core(core, scratch)
-            out.writerows([core, *key, value] for key, value in measured.items())
+        out.writerows(rows)
     return figures.by_core(found)
 
 
@@ -65,24 +66,28 @@ def update(table):
     README.write_text(readme, encoding="utf-8")
 
 
-def main():
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("scratch", type=Path)
-    parser.add_argument("--cores", default=",".join(timing.CORES), help="some of them, for --check")
+    parser.add_argument("--cores", nargs="+", choices=timing.CORES, default=timing.CORES,
+                        help="only these", metavar="CORE")
     what = parser.add_mutually_exclusive_group()
     for action in ("check", "update", "self-test"):
         what.add_argument(f"--{action}", action="store_true")
-    options = parser.parse_args()
-    cores = options.cores.split(",")
-    all_cores = set(cores) == set(timing.CORES)
+    return parser.parse_args()
 
+
+def main():
+    options = arguments()
+    all_cores = set(options.cores) == set(timing.CORES)
+    if options.update and not all_cores:
+        raise images.Failure("--update needs all cores")
     options.scratch.mkdir(parents=True, exist_ok=True)
     tracing.build_tracers(options.scratch)
     if options.self_test:
         return selftest.passes(options.scratch)
-    if options.update and not all_cores:
-        raise images.Failure("--update needs all cores")
-    table = measure(cores, options.scratch)
+
+    table = measure(options.cores, options.scratch)
     if all_cores:
         text = "\n\n".join(report.blocks(table).values()) + "\n"
         (options.scratch / "tables.md").write_text(text, encoding="utf-8")
@@ -96,5 +101,5 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(0 if main() else 1)
-    except images.Failure as failure:
+    except (images.Failure, OSError) as failure:
         sys.exit(f"bench: {failure}")

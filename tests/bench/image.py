@@ -33,8 +33,6 @@ def build(core, scratch):
     """Builds all that is measured for a core."""
     folder = scratch / core
     toolchain = TOOLCHAINS / f"{core}.cmake"
-    if not toolchain.exists():
-        raise Failure(f"no such core: {core}")
     run("cmake", "-S", HERE / "program", "-B", folder, f"-DCMAKE_TOOLCHAIN_FILE={toolchain}")
     run("cmake", "--build", folder)
     link, objdump, emulator = (folder / "toolchain.txt").read_text().splitlines()

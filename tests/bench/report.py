@@ -81,10 +81,17 @@ def budget_lines(file, table):
                           for core, value in budgeted(table, variant, row).items()
                           if fnmatch.fnmatch(core, row["core"])]
             if candidates:
-                value, where = max(candidates)
-                verdict = "held" if value <= int(row["at_most"]) else "EXCEEDED"
-                name = " ".join(row[key] for key in ("function", "path", "metric"))
-                yield f"{verdict:8} {where} {name}: {value}, at most {row['at_most']}"
+                yield budget_line(row, *max(candidates))
+
+
+def budget_line(row, value, where):
+    verdict = name = ""
+    if row["at_most"]:
+        verdict = "held" if value <= int(row["at_most"]) else "EXCEEDED"
+        name = f", at most {row['at_most']}"
+    if row["floor"]:
+        name += f", floor {row['floor']}"
+    return f"{verdict:8} {where} {row['function']} {row['path']} {row['metric']}: {value}{name}"
 
 
 def budgeted(table, variant, row):
