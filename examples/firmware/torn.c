@@ -11,8 +11,9 @@
 #include <stddef.h>
 
 /* In units of SPEED, each with an operating point of its own. There are two places: that which gets
-   the new point holds the stale one, so half of each would be neither the old nor the new. */
-enum { STALE = 100, OLD = 50, NEW = 300 };
+   the new point holds the stale one, so half of each would be neither the old nor the new. The two
+   differ in every member, also in the bits that z_ss and z_ss - z_ba have. */
+enum { STALE = 30, OLD = 100, NEW = 300 };
 
 /* An experiment: what the control interrupt does, what the encoder interrupt does meanwhile, and
    what one of the two sees */
