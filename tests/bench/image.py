@@ -48,7 +48,8 @@ def instructions(image):
         if match:
             address, code, name, operands = match.groups()
             size = len(code.replace(" ", "")) // 2
-            found[int(address, 16)] = Instruction(size, name, re.split(r"\s(?:[@;<]|# )", operands)[0].strip())
+            operands = re.split(r"\s(?:[@;<]|# )", operands)[0].strip() # without the comment
+            found[int(address, 16)] = Instruction(size, name, operands)
     return found
 
 
@@ -70,7 +71,8 @@ def occupied(image, library, *functions):
     roots = [f"-Wl,-u,{name}" for name in functions]
     run(*image.link, "-nostartfiles", "-Wl,--gc-sections", f"-Wl,-e,{functions[0]}", *roots,
         image.folder / f"lib{library}.a", "-lm", "-o", elf)
-    sections = re.findall(r"^ +\d+ (\S+) +([0-9a-f]{8}) .*\n +(.*)$", run(image.objdump, "-h", elf), re.M)
+    sections = re.findall(r"^ +\d+ (\S+) +([0-9a-f]{8}) .*\n +(.*)$",
+                          run(image.objdump, "-h", elf), re.M)
     flash = sum(int(size, 16) for _, size, flags in sections if "LOAD" in flags)
     ram = sum(int(size, 16) for name, size, _ in sections if name in (".data", ".bss"))
     return flash, ram

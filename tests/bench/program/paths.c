@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The tool finds the functions path_... in the trace, and takes their names for the tables. */
+/* The tool finds the functions path_... in the trace, and takes their names for the tables. The
+   factor r of a path varies its operands, for what depends on their digits. */
 #include "paths.h"
 
 #include "contact.h"
@@ -14,86 +15,54 @@ static void both_ways(measure_t *measure, float z, float dx, float v, float dt)
     measure(-z, -dx, -v, dt);
 }
 
-/* Operands with other digits and other magnitudes, for what depends on them */
-static const float variations[] = {0.57f, 0.83f, 1.0f};
-#define FOR_EACH_VARIATION(r) \
-    for (const float *r = variations; r != variations + sizeof variations / sizeof *variations; r++)
-
-static void path_elastic(measure_t *measure)
+static void path_elastic(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        both_ways(measure, -0.3f * Z_BA, 0.8f * Z_BA * *r, V_S * *r, 1e-3f * *r);
-    }
+    both_ways(measure, -0.3f * Z_BA, 0.8f * Z_BA * r, V_S * r, 1e-3f * r);
 }
 
 /* On both halves of the sine */
-static void path_mixed(measure_t *measure)
+static void path_mixed(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        const float share = 1.2f * *r - 0.4f; /* 0.28 to 0.8 */
-        both_ways(measure, Z_BA + share * (Z_C - Z_BA), 2e-7f * *r, FAST * *r, 1e-3f * *r);
-    }
+    const float share = 1.2f * r - 0.4f; /* 0.28 to 0.8 */
+    both_ways(measure, Z_BA + share * (Z_C - Z_BA), 2e-7f * r, FAST * r, 1e-3f * r);
 }
 
-static void path_sliding(measure_t *measure)
+static void path_sliding(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        both_ways(measure, Z_BA + 0.9f * *r * (Z_C - Z_BA), 4e-6f * *r, FAST * *r, 1e-3f * *r);
-    }
+    both_ways(measure, Z_BA + 0.9f * r * (Z_C - Z_BA), 4e-6f * r, FAST * r, 1e-3f * r);
 }
 
 /* z_ss falls below the deflection, slowly enough for the damping term to stay below the others */
-static void path_case_1(measure_t *measure)
+static void path_case_1(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        both_ways(measure, 0.95f * Z_MAX, 2e-7f * *r, FAST * *r, 0.1f * *r);
-    }
+    both_ways(measure, 0.95f * Z_MAX, 2e-7f * r, FAST * r, 0.1f * r);
 }
 
 /* The same at once: the passivity guard limits the damping term */
-static void path_guard(measure_t *measure)
+static void path_guard(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        both_ways(measure, 0.95f * Z_MAX, 2e-7f * *r, FAST * *r, 1e-3f * *r);
-    }
+    both_ways(measure, 0.95f * Z_MAX, 2e-7f * r, FAST * r, 1e-3f * r);
 }
 
-static void path_reversal(measure_t *measure)
+static void path_reversal(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        both_ways(measure, -0.99f * Z_C, 1e-6f * *r, FAST * *r, 1e-3f * *r);
-    }
+    both_ways(measure, -0.99f * Z_C, 1e-6f * r, FAST * r, 1e-3f * r);
 }
 
-static void path_standstill(measure_t *measure)
+static void path_standstill(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        both_ways(measure, 0.99f * Z_C, 0.0f, V_S * *r, 1e-3f * *r);
-    }
+    both_ways(measure, 0.99f * Z_C, 0.0f, V_S * r, 1e-3f * r);
 }
 
 /* Displacement without velocity: z_ss is z_max */
-static void path_at_rest(measure_t *measure)
+static void path_at_rest(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        both_ways(measure, Z_C, 1e-6f * *r, 0.0f, 1e-3f * *r);
-    }
+    both_ways(measure, Z_C, 1e-6f * r, 0.0f, 1e-3f * r);
 }
 
-static void path_leap(measure_t *measure)
+static void path_leap(measure_t *measure, float r)
 {
-    FOR_EACH_VARIATION(r)
-    {
-        both_ways(measure, Z_BA, 4.0f * Z_MAX * *r, V_S * *r, 1e-3f * *r);
-    }
+    both_ways(measure, Z_BA, 4.0f * Z_MAX * r, V_S * r, 1e-3f * r);
 }
 
 /* Largest numbers, shortest and longest time */
@@ -113,15 +82,19 @@ static void path_rejected(measure_t *measure)
 
 void every_path(measure_t *measure)
 {
-    path_elastic(measure);
-    path_mixed(measure);
-    path_sliding(measure);
-    path_case_1(measure);
-    path_guard(measure);
-    path_reversal(measure);
-    path_standstill(measure);
-    path_at_rest(measure);
-    path_leap(measure);
+    static const float operands[] = {0.57f, 0.83f, 1.0f}; /* other digits, other magnitudes */
+
+    for (const float *r = operands; r != operands + sizeof operands / sizeof *operands; r++) {
+        path_elastic(measure, *r);
+        path_mixed(measure, *r);
+        path_sliding(measure, *r);
+        path_case_1(measure, *r);
+        path_guard(measure, *r);
+        path_reversal(measure, *r);
+        path_standstill(measure, *r);
+        path_at_rest(measure, *r);
+        path_leap(measure, *r);
+    }
     path_extreme(measure);
     path_rejected(measure);
 }
