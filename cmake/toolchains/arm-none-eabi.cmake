@@ -1,10 +1,9 @@
-# What all Cortex-M toolchains share; included by cortex-*.cmake, which sets EPF_CPU_FLAGS.
-# Debian packages: gcc-arm-none-eabi picolibc-arm-none-eabi
+# What all Cortex-M toolchains share; included by cortex-*.cmake, which sets EPF_CPU_FLAGS, EPF_BOARD
+# and EPF_MEMORY (see picolibc.cmake).
+# Debian packages: gcc-arm-none-eabi picolibc-arm-none-eabi; to run, qemu-system-arm
 
-set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
-set(CMAKE_C_COMPILER arm-none-eabi-gcc)
-set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-
-set(CMAKE_C_FLAGS_INIT "${EPF_CPU_FLAGS} -mthumb -ffunction-sections -fdata-sections \
--specs=/usr/lib/picolibc/arm-none-eabi/picolibc.specs")
+set(EPF_TRIPLE arm-none-eabi)
+string(APPEND EPF_CPU_FLAGS " -mthumb")
+set(EPF_QEMU qemu-system-arm -M ${EPF_BOARD})
+include(${CMAKE_CURRENT_LIST_DIR}/picolibc.cmake)

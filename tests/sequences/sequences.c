@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "sequences.h"
 
+#include <float.h>
 #include <math.h> /* INFINITY only */
 
 static uint32_t random_word(sequence_t *q) /* xorshift32, Marsaglia */
@@ -103,8 +104,8 @@ static sample_t sign_mismatch(sequence_t *q)
 static double extreme(sequence_t *q)
 {
     static const double magnitudes[] = {
-        0.0, 1e-300, 1e-40, 1e-9,  5.9604644775390625e-8, 0.5, 1.0, 2.0,
-        1e6, 1e30,   1e38,  1e300, (double)INFINITY};
+        0.0, DBL_MIN, 1e-40, 1e-9,    5.9604644775390625e-8, 0.5, 1.0, 2.0,
+        1e6, 1e30,    1e38,  DBL_MAX, (double)INFINITY};
     const double magnitude = magnitudes[random_below(q, sizeof magnitudes / sizeof magnitudes[0])];
     return random_below(q, 2) ? magnitude : -magnitude;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* No drift: what vibrates below z_ba ends where it began, however long it lasts. */
+#include "effort.h"
 #include "epf/f32.h"
 #include "parameter_sets.h"
 #include "sequences.h"
@@ -15,7 +16,10 @@ void tearDown(void)
 {
 }
 
-enum { PERIOD = 37, CYCLES = 1000000 };
+enum { PERIOD = 37 };
+
+static const long cycles_of_tremor = EFFORT_SQUARED(1000000L);
+static const long counts_of_encoder = EFFORT_SQUARED(10000000L);
 
 /* One cycle of tremor as a user gets it: differences of positions that were measured, here of a
    sine and its harmonic so that no two steps are alike; the last one closes the cycle. */
@@ -51,7 +55,7 @@ static void shake(epf_f32_t *ep, const float dx[PERIOD], long cycles)
 }
 
 /* The cycle closes to within one rounding of its last step; the state must follow even that */
-static void test_drift_a_million_cycles_of_tremor_end_where_they_began(void)
+static void test_drift_tremor_ends_where_it_began(void)
 {
     sequence_t q;
     sequence_start(&q, SEQUENCE_TREMOR, 7);
@@ -65,9 +69,9 @@ static void test_drift_a_million_cycles_of_tremor_end_where_they_began(void)
 
         float dx[PERIOD];
         make_cycle(dx, 0.5f * coeffs.z_ba, &q);
-        shake(&ep, dx, CYCLES);
+        shake(&ep, dx, cycles_of_tremor);
 
-        const double expected = start + (double)CYCLES * sum_of(dx);
+        const double expected = start + (double)cycles_of_tremor * sum_of(dx);
         TEST_ASSERT_TRUE_MESSAGE(fabs((double)epf_f32_z(&ep) - expected) <=
                                      (double)(FLT_EPSILON * coeffs.z_ba),
                                  parameter_sets[set].name);
@@ -93,7 +97,7 @@ static void test_drift_encoder_counts_return_to_the_same_bits(void)
         epf_f32_reset(&ep, 0.3f * coeffs.z_ba);
         const float start = epf_f32_z(&ep);
         const float count = coarse(coeffs.z_ba / 37.3f);
-        for (long i = 0; i < 10L * CYCLES; i++) {
+        for (long i = 0; i < counts_of_encoder; i++) {
             (void)epf_f32_advance(&ep, (float)counts[i % 10] * count);
         }
         TEST_ASSERT_TRUE_MESSAGE(epf_f32_z(&ep) == start, parameter_sets[set].name);
@@ -103,7 +107,7 @@ static void test_drift_encoder_counts_return_to_the_same_bits(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(test_drift_a_million_cycles_of_tremor_end_where_they_began);
+    RUN_TEST(test_drift_tremor_ends_where_it_began);
     RUN_TEST(test_drift_encoder_counts_return_to_the_same_bits);
     return UNITY_END() != 0;
 }

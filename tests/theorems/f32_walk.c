@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "f32_walk.h"
 
+#include "effort.h"
 #include "parameter_sets.h"
 #include "unity.h"
 
@@ -66,7 +67,7 @@ static void walk_contact(const parameter_set_t *set, float sigma_1_factor, unsig
         sequence_start(&sequence, step.sequence, 1u + (uint32_t)kind);
         epf_f32_t ep;
         epf_f32_init(&ep, &coeffs);
-        for (step.index = 0; step.index < samples; step.index++) {
+        for (step.index = 0; step.index < EFFORT(samples); step.index++) {
             take(&ep, &step, sequence_next(&sequence));
             visit(&step);
         }

@@ -27,6 +27,7 @@ typedef struct {
 
 typedef void (*f32_visitor_t)(const f32_step_t *step);
 
+/* On an emulated core fewer samples: see effort.h */
 void f32_walk(unsigned samples, f32_visitor_t visit);
 
 /* A sample as the estimator takes it: giants become infinite, as they would in a user's program */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixed_walk.h"
 
+#include "effort.h"
 #include "parameter_sets.h"
 #include "unity.h"
 
@@ -80,7 +81,7 @@ void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
         epf_fixed_t ep;
         variant->init(&ep, &coeffs);
         double left_over = 0.0;
-        for (step.index = 0; step.index < samples; step.index++) {
+        for (step.index = 0; step.index < EFFORT(samples); step.index++) {
             take(&ep, &step, sequence_next(&sequence), &left_over);
             visit(&step);
         }

@@ -34,6 +34,7 @@ typedef struct {
 
 typedef void (*fixed_visitor_t)(const fixed_step_t *step);
 
+/* On an emulated core fewer samples: see effort.h */
 void fixed_walk(unsigned samples, fixed_visitor_t visit);
 
 /* The same for one variant and one contact */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Theorem 3: plastic displacement dissipates, f dw > 0; by the guard, for every sigma_1 and dt. */
+#include "effort.h"
 #include "f32_walk.h"
 #include "oracle.h"
 #include "unity.h"
@@ -48,7 +49,7 @@ static void test_theorem3_fails_without_the_guard_far_outside_of_equation_22(voi
 {
     violations = 0;
     f32_walk(5000, count_violations_without_guard);
-    TEST_ASSERT_TRUE(violations > 100);
+    TEST_ASSERT_TRUE(violations > EFFORT(100));
 }
 
 static void force_is_as_printed_within_equation_22(const f32_step_t *step)
@@ -75,8 +76,8 @@ static void test_theorem3_guard_changes_nothing_within_equation_22(void)
 {
     guarded = steps_within_bound = 0;
     f32_walk(5000, force_is_as_printed_within_equation_22);
-    TEST_ASSERT_TRUE(steps_within_bound > 100000);
-    TEST_ASSERT_TRUE_MESSAGE(guarded > 1000, "case 1 must have occurred");
+    TEST_ASSERT_TRUE(steps_within_bound > EFFORT(100000));
+    TEST_ASSERT_TRUE_MESSAGE(guarded > EFFORT(1000), "case 1 must have occurred");
 }
 
 int main(void)

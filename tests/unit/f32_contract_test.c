@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The contract of f32.h beyond the equations: bad input, contexts, constant coefficients, bytes. */
+#include "effort.h"
 #include "epf/epf.h"
 #include "parameter_sets.h"
 #include "sequences.h"
@@ -216,7 +217,7 @@ static void test_bad_input_any_bits_leave_the_estimator_intact(void)
     sequence_t q;
     sequence_start(&q, SEQUENCE_EXTREMES, 11);
     uint32_t rejected = 0;
-    for (long i = 0; i < 300000; i++) {
+    for (long i = 0; i < EFFORT(300000L); i++) {
         const float dx = random_bits(&q);
         const float v = random_bits(&q);
         const float dt = random_bits(&q);

@@ -126,7 +126,7 @@ static void test_coeffs_z_shift_is_the_largest_that_keeps_z_max_within_2_30(void
             continue;
         }
         TEST_ASSERT_EQUAL_INT(EPF_OK, epf_q31_coeffs_init(&c, &params, &lsb));
-        TEST_ASSERT_TRUE(c.z_max < 1 << 30 && c.z_max >= (1 << 29) - 64);
+        TEST_ASSERT_TRUE(c.z_max < 1L << 30 && c.z_max >= (1L << 29) - 64);
         const double unit = (double)lsb.x / (double)(1L << c.z_shift);
         TEST_ASSERT_TRUE(fabs(c.z_max * unit / (double)z_max - 1.0) < 3e-7);
         TEST_ASSERT_TRUE(fabs(c.z_ba * unit / (double)params.z_ba - 1.0) < 3e-7);
@@ -153,7 +153,7 @@ static void test_coeffs_z_max_stays_below_2_30_units(void)
     epf_fixed_coeffs_t c;
     epf_q31_t ep;
     TEST_ASSERT_EQUAL_INT(EPF_OK, epf_q31_coeffs_init(&c, &params, &lsb));
-    TEST_ASSERT_EQUAL_INT32((1 << 30) - 1, c.z_max);
+    TEST_ASSERT_EQUAL_INT32((1L << 30) - 1, c.z_max);
     epf_q31_init(&ep, &c);
     TEST_ASSERT_EQUAL_INT32(c.z_max, epf_q31_update(&ep, 1000, 0));
     TEST_ASSERT_EQUAL_INT32(-c.z_max, epf_q31_update(&ep, -1000, 0));
@@ -163,7 +163,7 @@ static void check_gain(epf_gain_t gain, double expected, const char *name)
 {
     const double value = ldexp((double)gain.mantissa, -gain.shift);
     TEST_ASSERT_TRUE_MESSAGE(fabs(value - expected) <= 5e-7 * expected, name);
-    TEST_ASSERT_TRUE_MESSAGE(gain.mantissa < 1u << 24, name);
+    TEST_ASSERT_TRUE_MESSAGE(gain.mantissa < 1ul << 24, name);
 }
 
 static void test_coeffs_gains_are_the_ratios_that_they_stand_for(void)

@@ -40,7 +40,7 @@ struct session {
     int status;
 };
 
-static char transcript[2048];
+static char transcript[1024];
 static size_t printed;
 static int observing;
 
@@ -86,11 +86,11 @@ static unsigned surprises;
 
 static void expect(int condition, const char *what)
 {
-    static char complaint[1024];
+    static char complaint[512];
     expectations++;
     if (!condition) {
         surprises++;
-        (void)snprintf(complaint, sizeof complaint, "%.200s, after: %.800s", what, transcript);
+        (void)snprintf(complaint, sizeof complaint, "%.100s, after: %.400s", what, transcript);
         TEST_FAIL_MESSAGE(complaint);
     }
 }
@@ -279,29 +279,43 @@ ASSERTIONS(DEFINE_PROBES)
     {                       \
 #function, function \
     }
-#define ROW(assertion, good, bad, reason)                                                      \
-    {PROBE(assertion##_passes), PROBE(assertion##_fails), PROBE(assertion##_passes_with_note), \
-     PROBE(assertion##_fails_with_note), reason},
+#define ROW(assertion, good, bad, reason) \
+    {#assertion,                          \
+     reason,                              \
+     assertion##_passes,                  \
+     assertion##_fails,                   \
+     assertion##_passes_with_note,        \
+     assertion##_fails_with_note},
 
 static const struct row {
-    struct probe passes, fails, passes_with_note, fails_with_note;
-    const char *reason;
+    const char *assertion, *reason;
+    void (*passes)(void), (*fails)(void), (*passes_with_note)(void), (*fails_with_note)(void);
 } rows[] = {ASSERTIONS(ROW)};
+
+/* Named after its row when it is needed: four names for each row would fill 8 KB of RAM */
+static const struct probe *probe_of(const struct row *row, const char *what, void (*test)(void))
+{
+    static char name[64];
+    static struct probe probe = {.name = name};
+    (void)snprintf(name, sizeof name, "%s %s", row->assertion, what);
+    probe.test = test;
+    return &probe;
+}
 
 static void test_every_assertion_passes_when_it_should(void)
 {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        expect_pass(&rows[i].passes);
-        expect_pass(&rows[i].passes_with_note);
+        expect_pass(probe_of(&rows[i], "passes", rows[i].passes));
+        expect_pass(probe_of(&rows[i], "passes with note", rows[i].passes_with_note));
     }
 }
 
 static void test_every_assertion_fails_when_it_should(void)
 {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        expect_failure(&rows[i].fails, rows[i].reason);
-        expect(strstr(transcript, NOTE) == NULL, rows[i].fails.name);
-        expect_failure(&rows[i].fails_with_note, NOTE);
+        expect_failure(probe_of(&rows[i], "fails", rows[i].fails), rows[i].reason);
+        expect(strstr(transcript, NOTE) == NULL, rows[i].assertion);
+        expect_failure(probe_of(&rows[i], "fails with note", rows[i].fails_with_note), NOTE);
     }
 }
 
@@ -557,8 +571,10 @@ static void test_reals_are_printed_with_nine_digits(void)
         {9999999994.0, "Was 9.99999999e+09\n"},
         {(double)FLT_MAX, "Was 3.40282347e+38\n"},
         {(double)FLT_MIN, "Was 1.17549435e-38\n"},
+#if DBL_MAX_EXP == 1024
         {DBL_MAX, "Was 1.79769313e+308\n"},
         {4.9406564584124654e-324, "Was 4.94065646e-324\n"},
+#endif
         {(double)INFINITY, "Was inf\n"},
         {(double)-INFINITY, "Was -inf\n"},
         {(double)NAN, "Was nan\n"},

@@ -1,0 +1,2 @@
+set(EPF_MCU atmega328p)
+include(${CMAKE_CURRENT_LIST_DIR}/avr.cmake)

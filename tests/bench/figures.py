@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""The figures that are told and gated: {(variant, function, path, metric): {core: value}}.
+
+metric  cost   cycles, where the core is modelled, or else instructions: worst of the Stribeck forms
+        stack  bytes, worst of all paths
+        flash  bytes of a link of the function alone, or of a typical set of them
+        ram    bytes of .data and .bss of that link
+        bytes  of an object in RAM or flash
+"""
+
+import csv
+
+import image as images
+import timing
+import tracing
+
+VARIANTS = ("f32", "q31", "q15")
+LINKS = {
+    "split": ("init", "set_velocity", "advance", "force", "output"),
+    "joined": ("init", "step", "output"),
+}
+KEY = ("variant", "function", "path", "metric")
+
+
+def cost_metric(core):
+    return "cycles" if "cycles" in timing.COUNTED[core] else "instructions"
+
+
+def folded(core, measured):
+    """Of what tracing.measure gives: the cost of every path and the stack of every function."""
+    found = {}
+    for (variant, function, _, path, metric), value in measured.items():
+        if metric == cost_metric(core):
+            key = (variant, function, path, "cost")
+        elif metric == "stack":
+            key = (variant, function, "worst", "stack")
+        else:
+            continue
+        found[key] = max(found.get(key, 0), value)
+    return found
+
+
+def sizes(image, measured):
+    """What everything occupies."""
+    found = {}
+
+    def link(variant, name, path, library, functions):
+        flash, ram = images.occupied(image, library, *functions)
+        found[variant, name, path, "flash"] = flash
+        found[variant, name, path, "ram"] = ram
+
+    for variant in VARIANTS:
+        for function in sorted({key[1] for key in measured if key[0] == variant}):
+            link(variant, function, "alone", "epf_small", [f"epf_{variant}_{function}"])
+        for name, parts in LINKS.items():
+            functions = [f"epf_{variant}_{part}" for part in parts]
+            link(variant, name, "all forms", "epf_small", functions)
+            link(variant, name, "one form", "epf_one_form", functions)
+    link("naive", "step", "alone", "naive_small", ["naive_step"])
+    for name, size in images.object_sizes(image).items():
+        kind, variant = name.split("_")
+        found[variant, kind, "any", "bytes"] = size
+    return found
+
+
+def of_core(core, scratch):
+    """Builds, runs and measures: the figures of a core, and all that its trace gave."""
+    image = images.build(core, scratch)
+    measured = tracing.measure(image)
+    return {**folded(core, measured), **sizes(image, measured)}, measured
+
+
+def by_core(figures_of_cores):
+    """From {core: {key: value}} to {key: {core: value}}."""
+    table = {}
+    for core, found in figures_of_cores.items():
+        for key, value in found.items():
+            table.setdefault(key, {})[core] = value
+    return table
+
+
+def worst(table, variant, function, metric):
+    """{core: the largest value of all paths} of a function; of "any"; of those called at "run time"."""
+    def is_meant(name):
+        return function in (name, "any") or (function == "run time" and name != "coeffs_init")
+
+    rows = [row for key, row in table.items()
+            if key[0] == variant and is_meant(key[1]) and key[3] == metric]
+    return {core: max(row[core] for row in rows) for core in (rows[0] if rows else {})}
+
+
+def write(file, table):
+    cores = [core for core in timing.CORES if any(core in row for row in table.values())]
+    with open(file, "w", newline="", encoding="utf-8") as stream:
+        out = csv.writer(stream, lineterminator="\n")
+        out.writerow([*KEY, *cores])
+        out.writerows([*key, *(row.get(core, "") for core in cores)] for key, row in table.items())
+
+
+def read(file):
+    try:
+        with open(file, newline="", encoding="utf-8") as stream:
+            rows = list(csv.DictReader(stream))
+        return {tuple(row.pop(name) for name in KEY):
+                {core: int(value) for core, value in row.items() if value} for row in rows}
+    except (OSError, KeyError, ValueError) as error:
+        raise images.Failure(f"{file} is no table of figures: {error}") from error
+
+
+def compare(baseline, table):
+    """What has become worse by more than 2 %, or is missing; and what has become better by that."""
+    worse, better = [], []
+    measured = {core for row in table.values() for core in row}
+    for key in {**baseline, **table}:
+        old_row, new_row = baseline.get(key, {}), table.get(key, {})
+        for core in timing.CORES:
+            old, new = old_row.get(core), new_row.get(core)
+            place = f"{core} {' '.join(key)}"
+            if core not in measured or old == new:
+                continue
+            if old is None:
+                worse.append(f"{place}: {new}, not in the baseline")
+            elif new is None:
+                worse.append(f"{place}: no longer measured")
+            elif 100 * new > 102 * old:
+                worse.append(f"{place}: {new}, was {old}")
+            elif 100 * new < 98 * old:
+                better.append(f"{place}: {new}, was {old}")
+    return worse, better

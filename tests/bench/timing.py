@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: MIT
+"""What a call costs, from the instructions that it executed: exact counts, and cycles by Arm's
+published timings for memory without wait states (technical reference manuals: DDI 0432, 0484, 0337,
+0439). A multiplication takes one cycle on M0 and M0+, which is an option of the chip."""
+
+import re
+from functools import lru_cache
+
+from image import Failure
+
+ADDRESS = 0xFFFFFFFF # of a word of the trace; what else is in it, trace_avr.c says
+CONDITIONS = "eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le|hs|lo"
+CONDITIONAL_BRANCH = re.compile(f"b({CONDITIONS})$")
+IT_BLOCK = re.compile("it[te]{0,3}$")
+
+
+def mnemonic(instruction):
+    return instruction.name.split(".")[0]
+
+
+def registers(operands):
+    """Words that a list of registers holds: {r4, lr}, {r0-r3}, {d8-d9}."""
+    words = 0
+    for item in re.search(r"\{(.*)\}", operands)[1].split(","):
+        first, _, last = item.strip().partition("-")
+        count = int(last[1:]) - int(first[1:]) + 1 if last else 1
+        words += count * (2 if first[0] == "d" else 1)
+    return words
+
+
+def v6m(instruction, taken, refill):
+    """Cycles on M0 (refill 3) and M0+ (refill 2): what a taken branch costs."""
+    name, operands = mnemonic(instruction), instruction.operands
+    if name == "bl":
+        return refill + 1
+    if name in ("b", "bx", "blx") or CONDITIONAL_BRANCH.match(name):
+        return refill if taken else 1
+    if name == "push" or name.startswith(("stm", "ldm")):
+        return 1 + registers(operands)
+    if name == "pop":
+        return (refill + 1 if "pc" in operands else 1) + registers(operands)
+    if name.startswith(("ldr", "str")):
+        return 2
+    if name in ("mrs", "msr", "dsb", "dmb", "isb"):
+        return refill + 1
+    if name in ("mov", "add") and operands.startswith("pc"):
+        return refill
+    return 1
+
+
+def is_single_access(instruction):
+    return re.match("(ldr|str)(?!d)", mnemonic(instruction)) is not None
+
+
+def float_result(instruction):
+    """The register that an arithmetic floating-point instruction makes, or None."""
+    arithmetic = ("vdiv", "vsqrt", "vfma", "vfms", "vfnm", "vmla", "vmls", "vnml", "vadd", "vsub",
+                  "vmul", "vnmul", "vcvt")
+    match = re.match(r"[sd]\d+", instruction.operands)
+    return match[0] if match and mnemonic(instruction).startswith(arithmetic) else None
+
+
+def waits_for(previous, instruction):
+    """Does it use the floating-point result of the instruction before?"""
+    result = previous and float_result(previous)
+    sources = instruction.operands.partition(",")[2]
+    return bool(result) and re.search(rf"\b{result}\b", sources) is not None
+
+
+# What varies on M3 and M4F: the refill of the pipeline, a division of integers, stores that hide
+# behind the next instruction, loads and stores that overlap, and IT that is folded away.
+LOWEST = {"refill": 1, "division": 2, "store": 1, "overlap": True, "it": 0}
+TYPICAL = {"refill": 2, "division": 7, "store": 2, "overlap": True, "it": 1}
+HIGHEST = {"refill": 3, "division": 12, "store": 2, "overlap": False, "it": 1}
+
+
+def v7m(previous, instruction, taken, assumed):
+    """Cycles on M3 and M4F."""
+    name, operands = mnemonic(instruction), instruction.operands
+    if name in ("b", "bl", "bx", "blx"):
+        return 1 + assumed["refill"]
+    if name in ("cbz", "cbnz") or CONDITIONAL_BRANCH.match(name):
+        return 1 + (assumed["refill"] if taken else 0)
+    if name in ("tbb", "tbh"):
+        return 2 + assumed["refill"]
+    if name in ("push", "pop") or name.startswith(("ldm", "stm")):
+        return 1 + registers(operands) + (assumed["refill"] if "pc" in operands else 0)
+    if name.startswith(("ldrd", "strd")):
+        return 3
+    if is_single_access(instruction):
+        if operands.startswith("pc"):
+            return 2 + assumed["refill"]
+        if assumed["overlap"] and previous and is_single_access(previous):
+            return 1
+        return assumed["store"] if name.startswith("str") else 2
+    if name in ("sdiv", "udiv"):
+        return assumed["division"]
+    if name in ("mla", "mls", "mrs", "msr"):
+        return 2
+    if IT_BLOCK.match(name):
+        return assumed["it"]
+    return float_cycles(name, operands) + waits_for(previous, instruction)
+
+
+def float_cycles(name, operands):
+    if name.startswith(("vdiv", "vsqrt")):
+        return 14
+    if name.startswith(("vldm", "vstm", "vpush", "vpop")):
+        return 1 + registers(operands)
+    if name.startswith(("vldr", "vstr")):
+        return 3 if operands.startswith("d") else 2
+    if name.startswith(("vfma", "vfms", "vfnm", "vmla", "vmls", "vnml")):
+        return 3
+    if name.startswith("vmov") and operands.count(",") >= 2:
+        return 2
+    return 1
+
+
+MODELS = {
+    "cortex-m0": {"cycles": lambda previous, this, taken: v6m(this, taken, 3)},
+    "cortex-m0plus": {"cycles": lambda previous, this, taken: v6m(this, taken, 2)},
+    "cortex-m3": {
+        "cycles": lambda *step: v7m(*step, TYPICAL),
+        "cycles_low": lambda *step: v7m(*step, LOWEST),
+        "cycles_high": lambda *step: v7m(*step, HIGHEST),
+    },
+}
+MODELS["cortex-m4f"] = MODELS["cortex-m3"]
+
+
+def pushed(previous, instruction, taken):
+    """Bytes by which the stack grows."""
+    name, operands = mnemonic(instruction), instruction.operands
+    if name == "li" and previous and previous[1:] == ("add", "sp,sp,-64"):
+        unused = re.match(r"t1,(0|-16|-32)$", operands) # libgcc's __riscv_save: later sp -= t1
+        return int(unused[1]) if unused else 0
+    if name == "push" or name == "vpush":
+        return 4 * registers(operands)
+    if name in ("pop", "vpop"):
+        skipped = "pc" in operands and not taken # in an IT block
+        return 0 if skipped else -4 * registers(operands)
+    if re.match(r"(ldm|vldm).*sp!", f"{name} {operands}"):
+        return -4 * registers(operands)
+    if re.match(r"(stm|vstm).*sp!", f"{name} {operands}"):
+        return 4 * registers(operands)
+    moved = re.search(r"\[sp, #(-?\d+)\]!|\[sp\], #(-?\d+)", operands)
+    if moved:
+        return -int(moved[1] or moved[2])
+    summed = re.match(r"sp,\s*(?:sp,\s*)?#?(-?\d+)$", operands)
+    if summed and name[:3] in ("add", "sub"):
+        return int(summed[1]) if name[:3] == "sub" else -int(summed[1])
+    return 0
+
+
+class Meter:
+    """Costs of calls of one program on one core."""
+
+    def __init__(self, core, instructions):
+        self.instructions = instructions
+        self.models = MODELS.get(core, {})
+        self.cost_at = lru_cache(maxsize=None)(self._cost_at)
+
+    def _cost_at(self, before, at, after):
+        this = self.instructions[at]
+        taken = after != at + this.size
+        step = (self.instructions.get(before), this, taken)
+        return [model(*step) for model in self.models.values()], pushed(*step)
+
+    def measure(self, words):
+        """{metric: value} of a call on Arm or RISC-V, from its trace."""
+        addresses = [word & ADDRESS for word in words]
+        sums = [0] * len(self.models)
+        depth = deepest = 0
+        steps = zip([None, *addresses], addresses, [*addresses[1:], None])
+        for costs, growth in (self.cost_at(*step) for step in steps):
+            for i, cost in enumerate(costs):
+                sums[i] += cost
+            depth += growth
+            deepest = max(deepest, depth)
+        if depth != 0:
+            raise Failure(f"the stack is off by {depth} bytes after the call at {addresses[0]:#x}")
+        return {"instructions": len(addresses), "stack": deepest, **dict(zip(self.models, sums))}
+
+
+def measure_avr(words, instructions, return_address):
+    """The same on AVR, where the simulator gives the cycles and the stack pointer. That is written by
+    two instructions "out", before which it may be half of the old and half of the new."""
+    stack_pointers = [word >> 32 & 0xFFFF for word in words
+                      if instructions[word & ADDRESS].name != "out"]
+    return {"instructions": len(words),
+            "stack": stack_pointers[0] - min(stack_pointers) + return_address,
+            "cycles": sum(word >> 48 for word in words)}
+
+
+# counted.S, by hand: instructions, stack, cycles, lowest, highest
+COUNTED = {
+    "cortex-m0": {"instructions": 28, "stack": 16, "cycles": 55},
+    "cortex-m0plus": {"instructions": 28, "stack": 16, "cycles": 45},
+    "cortex-m3": {"instructions": 29, "stack": 16, "cycles": 60, "cycles_low": 44, "cycles_high": 76},
+    "cortex-m4f": {"instructions": 33, "stack": 16, "cycles": 79, "cycles_low": 63, "cycles_high": 95},
+    "cortex-m7": {"instructions": 33, "stack": 16},
+    "cortex-m33": {"instructions": 33, "stack": 16},
+    "rv32imac": {"instructions": 26, "stack": 16},
+    "rv32imafc": {"instructions": 26, "stack": 16},
+    "atmega328p": {"instructions": 25, "stack": 3, "cycles": 40},
+    "atmega2560": {"instructions": 25, "stack": 4, "cycles": 41},
+}
+CORES = tuple(COUNTED)

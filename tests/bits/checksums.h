@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What the outputs of each variant come to on every target. A change of the kernels that is meant to
+ * change bits changes these lines: each test prints its own as it should stand here.
+ */
+#ifndef EPF_TESTS_CHECKSUMS_H
+#define EPF_TESTS_CHECKSUMS_H
+
+#define CHECKSUM_F32 0xdf6ba95du
+#define CHECKSUM_Q31 0x21e36544u
+#define CHECKSUM_Q15 0xb858a6e4u
+
+#endif

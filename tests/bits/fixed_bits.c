@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixed_bits.h"
+
+#include "checksum.h"
+#include "integers.h"
+#include "unity.h"
+
+enum { SAMPLES = 2048 };
+
+/* ---- inputs --------------------------------------------------------------------------------- */
+
+/* From 0 to 4 x, small ones as often as large ones; one in 16 is 0 or the largest */
+static int32_t near_or_extreme(uint32_t *random, int32_t x, int32_t largest)
+{
+    switch (random_below(random, 32)) {
+    case 0:
+        return largest;
+    case 1:
+        return 0;
+    default: {
+        const uint32_t smaller = random_below(random, 13);
+        const uint32_t near = random_below(random, 4u * (uint32_t)x) >> smaller;
+        return near < (uint32_t)largest ? (int32_t)near : largest;
+    }
+    }
+}
+
+/* The most negative number has no positive counterpart, and must be seen too */
+static int32_t signed_signal(uint32_t *random, int direction, int32_t x, int32_t largest)
+{
+    const int32_t magnitude = near_or_extreme(random, x, largest);
+    return direction > 0 ? magnitude : magnitude == largest ? -largest - 1 : -magnitude;
+}
+
+/* ---- outputs -------------------------------------------------------------------------------- */
+
+static uint32_t add_gain(uint32_t checksum, epf_gain_t gain)
+{
+    return checksum_add(checksum_add(checksum, gain.mantissa), gain.shift);
+}
+
+static uint32_t add_coeffs(uint32_t checksum, const epf_fixed_coeffs_t *c)
+{
+    checksum = checksum_add_signed(checksum, c->z_max);
+    checksum = checksum_add_signed(checksum, c->z_c);
+    checksum = checksum_add_signed(checksum, c->z_ba);
+    checksum = add_gain(checksum, c->v_s_inverse);
+    checksum = add_gain(checksum, c->viscous);
+    checksum = add_gain(checksum, c->damping);
+    checksum = add_gain(checksum, c->output);
+    checksum = checksum_add(checksum, c->z_shift);
+    return checksum_add(checksum, (uint32_t)c->stribeck);
+}
+
+/* The whole step at once, or in the parts that an interrupt and a loop would call */
+static int32_t move(const fixed_variant_t *variant, epf_fixed_t *ep, unsigned i, int32_t dx,
+                    int32_t v, uint32_t dt)
+{
+    if (i % 2 == 0) {
+        return variant->step(ep, dx, v, dt);
+    }
+    variant->set_velocity(ep, v);
+    (void)variant->advance(ep, dx);
+    return variant->force(ep, dt);
+}
+
+static uint32_t add_sample(uint32_t checksum, const fixed_bits_t *bits, epf_fixed_t *ep, unsigned i,
+                           uint32_t *random)
+{
+    enum { SPEED = 500, TICKS = 200 };
+    const epf_fixed_coeffs_t *c = ep->coeffs;
+    const fixed_variant_t *variant = bits->variant;
+    const int direction = random_direction(random, i);
+    const int32_t dx = signed_signal(random, direction, c->z_max >> c->z_shift, bits->largest);
+    const int32_t v = signed_signal(random, direction, SPEED, bits->largest);
+    const uint32_t dt = (uint32_t)near_or_extreme(random, TICKS, bits->largest) * (1u + i % 2u);
+    if (i % 256 == 255) {
+        variant->reset(ep, dx);
+    }
+    checksum = checksum_add_signed(checksum, move(variant, ep, i, dx, v, dt));
+    checksum = checksum_add_signed(checksum, variant->output(ep));
+    checksum = checksum_add_signed(checksum, ep->z);
+    checksum = checksum_add_signed(checksum, variant->fss(c, v));
+    checksum = checksum_add_signed(checksum, variant->alpha(c, ep->z, v));
+    return checksum_add(checksum, ep->rejected);
+}
+
+void fixed_bits_compare_coeffs(const fixed_bits_t *bits)
+{
+    for (int i = 0; i < bits->count; i++) {
+        const fixed_contact_t *contact = &bits->contacts[i];
+        epf_fixed_coeffs_t made;
+        TEST_ASSERT_EQUAL_INT(EPF_OK,
+                              bits->variant->coeffs_init(&made, &contact->params, &contact->lsb));
+        TEST_ASSERT_EQUAL_HEX32(add_coeffs(CHECKSUM_OF_NOTHING, &contact->coeffs),
+                                add_coeffs(CHECKSUM_OF_NOTHING, &made));
+    }
+}
+
+uint32_t fixed_bits_checksum(const fixed_bits_t *bits)
+{
+    uint32_t checksum = CHECKSUM_OF_NOTHING;
+    uint32_t random = 1;
+    for (int i = 0; i < bits->count; i++) {
+        epf_fixed_t ep;
+        bits->variant->init(&ep, &bits->contacts[i].coeffs);
+        checksum = add_coeffs(checksum, ep.coeffs);
+        for (unsigned k = 0; k < SAMPLES; k++) {
+            checksum = add_sample(checksum, bits, &ep, k, &random);
+        }
+    }
+    return checksum;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* Every bit that a fixed-point estimator returns, over one long sequence, in one number. */
+#ifndef EPF_TESTS_FIXED_BITS_H
+#define EPF_TESTS_FIXED_BITS_H
+
+#include "fixed_variant.h"
+
+/* A contact, its weights, and the coefficients that the macro makes of both */
+typedef struct {
+    epf_params_t params;
+    epf_lsb_t lsb;
+    epf_fixed_coeffs_t coeffs;
+} fixed_contact_t;
+
+typedef struct {
+    const fixed_variant_t *variant;
+    int32_t largest; /* that dx, v and dt are given */
+    const fixed_contact_t *contacts;
+    int count;
+} fixed_bits_t;
+
+/* Asserts that init makes of every contact what the macro made of it */
+void fixed_bits_compare_coeffs(const fixed_bits_t *bits);
+
+/* All that the functions return, for every contact */
+uint32_t fixed_bits_checksum(const fixed_bits_t *bits);
+
+#endif
