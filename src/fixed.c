@@ -71,10 +71,5 @@ epf_status_t epf_fixed_coeffs_init(epf_fixed_coeffs_t *coeffs, const epf_params_
         return EPF_ERR_NULL;
     }
     const epf_status_t status = epf_params_check(params);
-#ifdef EPF_STRIBECK_ONLY
-    if (status == EPF_OK && params->stribeck != EPF_STRIBECK_ONLY) {
-        return EPF_ERR_STRIBECK;
-    }
-#endif
     return status != EPF_OK ? status : check_and_derive(coeffs, params, lsb, largest_force);
 }

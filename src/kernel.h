@@ -128,18 +128,23 @@ static inline normal_t normalised(uint32_t x)
 #endif
 }
 
-/*
- * About 2^31/m, from below, for 2^15 <= m < 2^16, without a division, which small cores do not have:
- * two steps of Newton's iteration, x (2 - m x/2^31), from a straight line within 1/17.
- */
-/*@ requires 32768 <= m;
+/* floor(x 2^-shift) */
+/*@ requires 0 <= shift <= 31;
     assigns \nothing;
 */
-static inline uint16_t reciprocal(uint16_t m)
+static inline uint32_t shifted_down(uint32_t x, int shift)
 {
-    uint16_t x = (uint16_t)(92517u - ((uint32_t)m * 61681u >> 16));
-    x = (uint16_t)((uint32_t)x * (uint16_t)((0u - (uint32_t)m * x) >> 16) >> 15);
-    return (uint16_t)((uint32_t)x * (uint16_t)((0u - (uint32_t)m * x) >> 16) >> 15);
+#ifdef __AVR__ /* it shifts bit by bit, but whole bytes at once */
+    if (shift >= 16) {
+        x >>= 16;
+        shift -= 16;
+    }
+    if (shift >= 8) {
+        x >>= 8;
+        shift -= 8;
+    }
+#endif
+    return x >> shift;
 }
 
 /* p 2^-shift, at most TERM_MAX. A p that the shift would make larger is a product of normalised
@@ -155,8 +160,8 @@ static inline uint32_t scaled(uint32_t p, int shift)
     if (shift < 0) {
         return TERM_MAX;
     }
-    p >>= shift;
-    return p < TERM_MAX ? p : TERM_MAX;
+    const uint32_t x = shifted_down(p, shift);
+    return x < TERM_MAX ? x : TERM_MAX;
 }
 
 /* ---- the state: eqs. (12) and (13) --------------------------------------------------------- */

@@ -17,14 +17,35 @@
     predicate valid_short_contact(epf_fixed_t *ep) = valid_contact(ep) && short_output(ep->coeffs);
 */
 
+/* a b. AVR's compiler would multiply 32 by 32 bits wherever it forgets how short the factors are. */
+#ifdef __AVR__
+static OUT_OF_LINE uint32_t wide(uint16_t a, uint16_t b);
+#endif
+/*@ assigns \nothing;
+    ensures \result == a * b;
+    ensures \result <= a * 65535 && \result <= 65535 * b;
+*/
+static uint32_t wide(uint16_t a, uint16_t b)
+{
+    return (uint32_t)a * b;
+}
+
+/* The 16 highest bits */
+/*@ assigns \nothing;
+    ensures \result == x / 65536;
+*/
+static uint16_t high(uint32_t x)
+{
+    return (uint16_t)(x / 65536u);
+}
+
 /* floor(a b) */
 /*@ assigns \nothing;
     ensures \result <= a && \result <= b;
 */
 static uint16_t product(uint16_t a, uint16_t b)
 {
-    /*@ assert (integer)a * b <= a * 65535 && (integer)a * b <= 65535 * b; */
-    return (uint16_t)((uint32_t)a * b / 65536u);
+    return high(wide(a, b));
 }
 
 /* floor(a b), of an integer and a fraction: two products of 16 bits do for 48 */
@@ -35,19 +56,21 @@ static uint16_t product(uint16_t a, uint16_t b)
 */
 static uint32_t part(uint32_t a, uint16_t b)
 {
-    const uint16_t high = (uint16_t)(a / 65536u);
-    const uint16_t low = (uint16_t)(a % 65536u);
-    /*@ assert (integer)high * b <= high * 65535 && (integer)low * b <= low * 65535; */
-    return (uint32_t)high * b + (uint32_t)low * b / 65536u;
+    return wide(high(a), b) + product((uint16_t)(a % 65536u), b);
 }
 
-/* The 16 highest bits */
-/*@ assigns \nothing;
-    ensures \result == x / 65536;
+/*
+ * About 2^31/m, from below, for 2^15 <= m < 2^16, without a division, which small cores do not have:
+ * two steps of Newton's iteration, x (2 - m x/2^31), from a straight line within 1/17.
+ */
+/*@ requires 32768 <= m;
+    assigns \nothing;
 */
-static uint16_t high(uint32_t x)
+static uint16_t reciprocal(uint16_t m)
 {
-    return (uint16_t)(x / 65536u);
+    uint16_t x = (uint16_t)(92517u - product(m, 61681u));
+    x = high(2u * wide(x, high(0u - wide(m, x))));
+    return high(2u * wide(x, high(0u - wide(m, x))));
 }
 
 /* The 16 highest bits of a gain's mantissa; its shift is then 8 less */
@@ -67,8 +90,7 @@ static uint16_t mantissa_16(epf_gain_t gain)
 */
 static uint32_t gained(normal_t x, epf_gain_t gain, int power)
 {
-    return scaled((uint32_t)high(x.mantissa) * mantissa_16(gain),
-                  gain.shift + x.zeros - 24 - power);
+    return scaled(wide(high(x.mantissa), mantissa_16(gain)), gain.shift + x.zeros - 24 - power);
 }
 
 /* 2^32/x; less than 1 counts as 1 */
@@ -76,7 +98,7 @@ static uint32_t gained(normal_t x, epf_gain_t gain, int power)
 static uint32_t inverse(uint16_t x)
 {
     const normal_t m = normalised(x != 0 ? x : 1u);
-    return (uint32_t)reciprocal(high(m.mantissa)) << (m.zeros - 15);
+    return shifted_down(reciprocal(high(m.mantissa)) * UINT32_C(65536), 31 - m.zeros);
 }
 
 /* a/x for 0 <= a, from the inverse of x; at most 1 */
@@ -115,13 +137,12 @@ static uint16_t gaussian(uint32_t q)
     if (q >= UINT32_C(11) << 20) {
         return 0;
     }
-    const uint32_t t = (q >> 8) * 47274u; /* log2 e in Q15; now Q27 */
-    const uint16_t n = (uint16_t)(t >> 27);
-    const uint16_t r = (uint16_t)(t >> 11);
+    const uint32_t t = wide((uint16_t)(q / 256u), 5909u); /* log2 e in Q12; now Q24 */
+    const uint8_t n = (uint8_t)(t / 16777216u);
+    const uint16_t r = (uint16_t)(t / 256u);
     const uint16_t bend = (uint16_t)(12562u - product(r, 2597u)); /* 0.19167742 - 0.03962246 r */
     const uint16_t power =
         (uint16_t)(ONE - r / 2u - product(product(r, (uint16_t)(ONE - r)), bend));
-    /*@ assert n < 32; */
     return (uint16_t)(power >> n);
 }
 
@@ -133,7 +154,7 @@ static uint16_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t speed)
 {
     const uint32_t ratio = gained(speed, c->v_s_inverse, 10); /* Q10; 60 v_s and more are as one */
     const uint16_t r = (uint16_t)(ratio < 61440u ? ratio : 61440u);
-    const uint32_t q = (uint32_t)r * r;
+    const uint32_t q = wide(r, r);
     /*@ assert q <= 61440 * 61440; */
     if (form(c) == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
@@ -189,7 +210,7 @@ static uint16_t half_sine(uint16_t u)
     const uint16_t mirror = u < 32768u ? 0 : ONE;
     const uint16_t x = u ^ mirror;                                              /* u, or 1 - u */
     const uint16_t slope = (uint16_t)(51394u - product(product(x, x), 20211u)); /* Q15 */
-    const uint16_t sine = (uint16_t)((uint32_t)slope * x >> 15);
+    const uint16_t sine = high(2u * wide(slope, x));
     return product(sine, sine) ^ mirror;
 }
 
@@ -322,7 +343,7 @@ static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint16_t dt)
     const normal_t distance = normalised(magnitude(dz));
     const normal_t time = normalised(dt);
     const uint16_t p = product(high(distance.mantissa), mantissa_16(c->damping));
-    return scaled((uint32_t)p * reciprocal(high(time.mantissa)),
+    return scaled(wide(p, reciprocal(high(time.mantissa))),
                   c->damping.shift + 15 + distance.zeros - time.zeros);
 }
 
@@ -337,7 +358,7 @@ static int16_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
     const int32_t force = z / 256 + rest;
     const uint32_t p = part(magnitude(force), mantissa_16(c->output));
     const int shift = c->output.shift - 32; /* 1 at the least, since f_max fits */
-    const uint32_t rounded = ((p >> (shift - 1)) + 1u) / 2u;
+    const uint32_t rounded = (shifted_down(p, shift - 1) + 1u) / 2u;
     const int16_t most = (int16_t)(rounded < INT16_MAX ? rounded : INT16_MAX);
     return (int16_t)(force < 0 ? -most : most);
 }

@@ -33,7 +33,7 @@ static uint32_t from_q30(uint32_t x)
 /* 2^32/m in Q30, for 2^31 <= m < 2^32: three steps of Newton's iteration, x (2 - m x), from a
    straight line within 1/17 */
 /*@ assigns \nothing; */
-static inline uint32_t inverse(uint32_t m)
+static uint32_t inverse(uint32_t m)
 {
     uint32_t x = 3031741620u - product(m, 2021161080u);
     x = 4u * product(x, 2147483648u - product(m, x));
@@ -126,7 +126,7 @@ static inline int32_t steady_state(const epf_fixed_coeffs_t *c, normal_t speed)
     ensures v == 0 ==> point->viscous == 0 && point->z_ss == c->z_max;
     ensures v < 0 ==> point->viscous <= 0;
 */
-static inline void prepare_point(const epf_fixed_coeffs_t *c, int32_t v, epf_fixed_point_t *point)
+static void prepare_point(const epf_fixed_coeffs_t *c, int32_t v, epf_fixed_point_t *point)
 {
     int32_t z_ss = c->z_max;
     int32_t viscous = 0;
@@ -242,7 +242,7 @@ static inline int32_t next_along(const epf_fixed_coeffs_t *c, const epf_fixed_po
     ensures \result == ep->z;
     ensures dx == 0 ==> ep->z == \old(ep->z);
 */
-inline int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx)
+int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx)
 {
     if (dx == 0) {
         return stay(ep);
@@ -257,7 +257,7 @@ inline int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx)
     assigns ep->points[0 .. 1], ep->published;
     ensures valid_contact(ep);
 */
-inline void epf_q31_set_velocity(epf_q31_t *ep, int32_t v)
+void epf_q31_set_velocity(epf_q31_t *ep, int32_t v)
 {
     prepare_point(ep->coeffs, v, point_aside(ep));
     /*@ assert valid_motion(ep) && valid_coeffs(ep->coeffs); */
@@ -269,7 +269,7 @@ inline void epf_q31_set_velocity(epf_q31_t *ep, int32_t v)
     ensures valid_contact(ep);
     ensures \result == ep->z;
 */
-inline int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v)
+int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v)
 {
     epf_q31_set_velocity(ep, v);
     return epf_q31_advance(ep, dx);
@@ -282,7 +282,7 @@ inline int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v)
     assigns \nothing;
     ensures \result <= TERM_MAX;
 */
-static inline uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint32_t dt)
+static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint32_t dt)
 {
     if (dz == 0) {
         return 0;
@@ -303,7 +303,7 @@ static inline uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint32_t
     ensures z + 256 * rest > 0 ==> \result >= 0;
     ensures z + 256 * rest < 0 ==> \result <= 0;
 */
-static inline int32_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
+static int32_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
 {
     const int64_t force = (int64_t)z + 256 * (int64_t)rest;
     const uint64_t p = (uint64_t)(force < 0 ? -force : force) * c->output.mantissa;
@@ -318,7 +318,7 @@ static inline int32_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t res
     ensures -2147483647 <= \result <= 2147483647;
     ensures ep->force == \result;
 */
-inline int32_t epf_q31_force(epf_q31_t *ep, uint32_t dt)
+int32_t epf_q31_force(epf_q31_t *ep, uint32_t dt)
 {
     const epf_fixed_coeffs_t *c = ep->coeffs;
     const uint32_t damped = has_time(ep, dt) ? damping(c, ep->dz, dt) : 0;

@@ -46,7 +46,11 @@ typedef enum {
     EPF_ERR_RANGE       /**< valid one by one, but a derived value leaves the number format */
 } epf_status_t;
 
-/** The steady-state friction force f_ss(v). */
+/**
+ * The steady-state friction force f_ss(v). Where one form is enough, define EPF_STRIBECK_ONLY to it for
+ * the library and for what includes it (CMake does, given -DEPF_STRIBECK_ONLY=...): the code of the
+ * others is left out, and parameters with another form are refused.
+ */
 typedef enum {
     EPF_STRIBECK_LORENTZIAN = 0, /**< eq. (8): the default; one division, no exponential */
     EPF_STRIBECK_GAUSSIAN,       /**< eq. (7) */
@@ -128,13 +132,17 @@ const char *epf_status_text(epf_status_t status);
  * The conditions, each written once: epf_params_check asks them at run time, the EPF_xxx_COEFFS
  * macros at compile time. They are written so that NaN fails them. Arguments are of type float.
  */
-#define EPF_FINITE_(x)             ((x) >= -FLT_MAX && (x) <= FLT_MAX)
-#define EPF_POSITIVE_(x)           ((x) >= FLT_MIN && (x) <= FLT_MAX)
-#define EPF_NOT_NEGATIVE_(x)       ((x) >= 0.0f && (x) <= FLT_MAX)
-#define EPF_F_MAX_OK_(f_c, f_max)  ((f_max) >= (f_c) && (f_max) <= FLT_MAX)
-#define EPF_Z_BA_OK_(z_ba, z_c)    (EPF_POSITIVE_(z_ba) && (z_ba) < (z_c))
+#define EPF_FINITE_(x)            ((x) >= -FLT_MAX && (x) <= FLT_MAX)
+#define EPF_POSITIVE_(x)          ((x) >= FLT_MIN && (x) <= FLT_MAX)
+#define EPF_NOT_NEGATIVE_(x)      ((x) >= 0.0f && (x) <= FLT_MAX)
+#define EPF_F_MAX_OK_(f_c, f_max) ((f_max) >= (f_c) && (f_max) <= FLT_MAX)
+#define EPF_Z_BA_OK_(z_ba, z_c)   (EPF_POSITIVE_(z_ba) && (z_ba) < (z_c))
+#ifdef EPF_STRIBECK_ONLY
+#define EPF_STRIBECK_OK_(stribeck) ((unsigned)(stribeck) == (unsigned)EPF_STRIBECK_ONLY)
+#else
 #define EPF_STRIBECK_OK_(stribeck) ((unsigned)(stribeck) <= (unsigned)EPF_STRIBECK_COULOMB)
-#define EPF_UPDATE_OK_(update)     ((unsigned)(update) == (unsigned)EPF_UPDATE_SATURATED)
+#endif
+#define EPF_UPDATE_OK_(update) ((unsigned)(update) == (unsigned)EPF_UPDATE_SATURATED)
 #define EPF_RANGE_OK_(f_max, z_max, z_c, z_ba) \
     ((f_max) <= FLT_MAX / 16.0f && (z_max) <= FLT_MAX / 16.0f && (z_c) - (z_ba) >= FLT_MIN)
 

@@ -140,7 +140,7 @@ int32_t epf_q15_alpha(const epf_q15_coeffs_t *coeffs, int32_t z, int16_t v);
  * Scaling and overflow: [5] all of the range of v is allowed, the most negative number included. [6]
  * |v|/v_s is Q10 and saturates at 60, where less than 1/3600 of the Stribeck effect is left. [7] The viscous term
  * is rounded towards zero to 2^8 sigma_0 u and saturates at 2^29 of that, 128 f_max at the least.
- * Context: velocity. Cost: some 25 products and 3 normalisations, whatever v.
+ * Context: velocity. Cost: 22 products and 4 normalisations at the most.
  */
 void epf_q15_set_velocity(epf_q15_t *ep, int16_t v);
 
@@ -155,7 +155,7 @@ void epf_q15_set_velocity(epf_q15_t *ep, int16_t v);
  * Scaling and overflow: [8] dx enters the state as dx 2^z_shift u, exactly. [9] All of the range of
  * dx is allowed, the most negative number included; from 2 z_max on the state ends in z_ss(v). [10]
  * The result is within [-z_max, z_max], so that nothing wraps.
- * Context: displacement. Cost: a shift and a sum in the elastic regime, beyond it 9 products.
+ * Context: displacement. Cost: a product and a sum in the elastic regime, beyond it 10 products more.
  */
 int32_t epf_q15_advance(epf_q15_t *ep, int16_t dx);
 
@@ -192,7 +192,7 @@ int32_t epf_q15_update(epf_q15_t *ep, int16_t dx, int16_t v);
  * largest number and its negative. [14] Rounding never turns the sign of the force; where
  * lsb.f <= sigma_0 lsb.x/2, Theorem 4 holds for the rounded force too, with sigma_0 within 2^-15.
  * Publishes the force for epf_q15_output by one store of an aligned word.
- * Context: displacement. Cost: 10 products and 2 normalisations.
+ * Context: displacement. Cost: 9 products and 2 normalisations.
  */
 int16_t epf_q15_force(epf_q15_t *ep, uint16_t dt);
 

@@ -139,7 +139,7 @@ int32_t epf_q31_alpha(const epf_q31_coeffs_t *coeffs, int32_t z, int32_t v);
  * Scaling and overflow: [5] all of the range of v is allowed, the most negative number included. [6]
  * |v|/v_s is Q18 and saturates at 2048, where the Stribeck effect has vanished. [7] The viscous term
  * is rounded towards zero to 2^8 sigma_0 u and saturates at 2^29 of that, 128 f_max at the least.
- * Context: velocity. Cost: some 30 products and 3 normalisations, whatever v.
+ * Context: velocity. Cost: 26 products and 4 normalisations at the most.
  */
 void epf_q31_set_velocity(epf_q31_t *ep, int32_t v);
 
@@ -154,7 +154,7 @@ void epf_q31_set_velocity(epf_q31_t *ep, int32_t v);
  * Scaling and overflow: [8] dx enters the state as dx 2^z_shift u, exactly. [9] All of the range of
  * dx is allowed, the most negative number included; from 2 z_max on the state ends in z_ss(v). [10]
  * The result is within [-z_max, z_max], so that nothing wraps.
- * Context: displacement. Cost: a shift and a sum in the elastic regime, beyond it 9 products.
+ * Context: displacement. Cost: a product and a sum in the elastic regime, beyond it 9 products more.
  */
 int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx);
 
@@ -191,7 +191,7 @@ int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v);
  * negative. [14] Rounding never turns the sign of the force; where lsb.f <= sigma_0 lsb.x, Theorem 4
  * holds for the rounded force too, with sigma_0 within 2^-22.
  * Publishes the force for epf_q31_output by one store of an aligned word.
- * Context: displacement. Cost: 9 products and 1 normalisation.
+ * Context: displacement. Cost: 10 products and 2 normalisations.
  */
 int32_t epf_q31_force(epf_q31_t *ep, uint32_t dt);
 

@@ -36,7 +36,7 @@ static int32_t signed_signal(uint32_t *random, int direction, int32_t x, int32_t
 
 static uint32_t add_gain(uint32_t checksum, epf_gain_t gain)
 {
-    return checksum_add(checksum_add(checksum, gain.mantissa), gain.shift);
+    return checksum_add_signed(checksum_add(checksum, gain.mantissa), gain.shift);
 }
 
 static uint32_t add_coeffs(uint32_t checksum, const epf_fixed_coeffs_t *c)
@@ -44,6 +44,8 @@ static uint32_t add_coeffs(uint32_t checksum, const epf_fixed_coeffs_t *c)
     checksum = checksum_add_signed(checksum, c->z_max);
     checksum = checksum_add_signed(checksum, c->z_c);
     checksum = checksum_add_signed(checksum, c->z_ba);
+    checksum = checksum_add(checksum, c->unit);
+    checksum = checksum_add(checksum, c->leap);
     checksum = add_gain(checksum, c->v_s_inverse);
     checksum = add_gain(checksum, c->viscous);
     checksum = add_gain(checksum, c->damping);
