@@ -13,4 +13,4 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--gc-sections")
 set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_BINARY_DIR}/avrrun ${EPF_MCU})
 
 # Emulation is slow: see tests/sequences/effort.h
-set(EPF_TEST_ONE_IN 200 CACHE STRING "Run one in so many samples of each test")
+set(EPF_TEST_ONE_IN 400 CACHE STRING "Run one in so many samples of each test")

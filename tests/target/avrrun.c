@@ -110,6 +110,7 @@ int main(int argc, char **argv)
     if (argc != 3) {
         return stop("expected MCU FIRMWARE.elf", STATUS_USAGE);
     }
+    (void)setvbuf(stdout, NULL, _IOLBF, 0); /* what was said before a time-out is to be seen */
     avr_global_logger_set(say_nothing);
     elf_firmware_t firmware;
     memset(&firmware, 0, sizeof firmware);

@@ -67,7 +67,7 @@ static void walk_contact(const parameter_set_t *set, float sigma_1_factor, unsig
         sequence_start(&sequence, step.sequence, 1u + (uint32_t)kind);
         epf_f32_t ep;
         epf_f32_init(&ep, &coeffs);
-        for (step.index = 0; step.index < EFFORT(samples); step.index++) {
+        for (step.index = 0; step.index < EFFORT_OF_WALK(samples); step.index++) {
             take(&ep, &step, sequence_next(&sequence));
             visit(&step);
         }
@@ -76,9 +76,7 @@ static void walk_contact(const parameter_set_t *set, float sigma_1_factor, unsig
 
 void f32_walk(unsigned samples, f32_visitor_t visit)
 {
-    for (int i = 0; i < PARAMETER_SETS; i++) {
-        for (int j = 0; j < 2; j++) {
-            walk_contact(&parameter_sets[i], sigma_1_over_limit[j], samples, visit);
-        }
+    for (int i = 0; i < PARAMETER_SETS * 2; i += EFFORT_CONTACTS_ONE_IN) {
+        walk_contact(&parameter_sets[i / 2], sigma_1_over_limit[i % 2], samples, visit);
     }
 }

@@ -81,7 +81,7 @@ void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
         epf_fixed_t ep;
         variant->init(&ep, &coeffs);
         double left_over = 0.0;
-        for (step.index = 0; step.index < EFFORT(samples); step.index++) {
+        for (step.index = 0; step.index < EFFORT_OF_WALK(samples); step.index++) {
             take(&ep, &step, sequence_next(&sequence), &left_over);
             visit(&step);
         }
@@ -92,28 +92,28 @@ void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
 static const float counts_in_z_ba[] = {1.0f, 13.7f, 2000.0f};
 static const float sigma_1_over_limit[] = {0.5f, 300.0f};
 
-static void walk_set(const fixed_variant_t *variant, const parameter_set_t *set, unsigned samples,
-                     fixed_visitor_t visit)
+enum { CASES = 3 * 2 }; /* all pairs of these */
+
+static void walk_case(const fixed_variant_t *variant, const parameter_set_t *set, int i,
+                      unsigned samples, fixed_visitor_t visit)
 {
-    for (int i = 0; i < 3 * 2; i++) {
-        epf_params_t params = set->params;
-        const float limit = epf_sigma_1_limit(&params, 0.0f, 1e-3f);
-        if (isfinite(limit)) {
-            params.sigma_1 = sigma_1_over_limit[i / 3] * limit;
-        }
-        const float f_lsbs = variant == &q31_variant ? 1e8f : 2e4f;
-        const float finest = params.f_max / params.sigma_0 / 1e9f; /* z_max fits 2^30 counts */
-        const epf_lsb_t lsb = {fmaxf(params.z_ba / counts_in_z_ba[i % 3], finest),
-                               params.v_s / 150.0f, params.f_max / f_lsbs, 1e-5f};
-        fixed_walk_contact(variant, set->name, &params, &lsb, samples, visit);
+    epf_params_t params = set->params;
+    const float limit = epf_sigma_1_limit(&params, 0.0f, 1e-3f);
+    if (isfinite(limit)) {
+        params.sigma_1 = sigma_1_over_limit[i / 3] * limit;
     }
+    const float f_lsbs = variant == &q31_variant ? 1e8f : 2e4f;
+    const float finest = params.f_max / params.sigma_0 / 1e9f; /* z_max fits 2^30 counts */
+    const epf_lsb_t lsb = {fmaxf(params.z_ba / counts_in_z_ba[i % 3], finest), params.v_s / 150.0f,
+                           params.f_max / f_lsbs, 1e-5f};
+    fixed_walk_contact(variant, set->name, &params, &lsb, samples, visit);
 }
 
 void fixed_walk(unsigned samples, fixed_visitor_t visit)
 {
     for (int i = 0; i < FIXED_VARIANTS; i++) {
-        for (int j = 0; j < PARAMETER_SETS; j++) {
-            walk_set(fixed_variants[i], &parameter_sets[j], samples, visit);
+        for (int j = 0; j < PARAMETER_SETS * CASES; j += EFFORT_CONTACTS_ONE_IN) {
+            walk_case(fixed_variants[i], &parameter_sets[j / CASES], j % CASES, samples, visit);
         }
     }
 }

@@ -229,6 +229,12 @@ static const int32_t other_numbers[] = {1, -2, 4};
     X(TEST_ASSERT_EQUAL_FLOAT, (-1.0f, -1.000009f), (-1.0f, -1.000011f), "-1.0000") \
     X(TEST_ASSERT_EQUAL_DOUBLE, (-1.0, -1.0000000000009), (-1.0, -1.25), "-1.25")
 
+#if DBL_MANT_DIG == 53
+#define LARGEST "1.7976"
+#else /* AVR */
+#define LARGEST "3.4028"
+#endif
+
 /* Each kind of value against each assertion would be a large table: the failing argument is the
  * value nearest in kind. */
 #define KINDS(X)                                                      \
@@ -240,7 +246,7 @@ static const int32_t other_numbers[] = {1, -2, 4};
     X(TEST_ASSERT_FLOAT_IS_NOT_NEG_INF, (NAN), (-INFINITY), "-inf")   \
     X(TEST_ASSERT_FLOAT_IS_NOT_NAN, (INFINITY), (NAN), "nan")         \
     X(TEST_ASSERT_FLOAT_IS_NOT_DETERMINATE, (NAN), (0.0f), "0")       \
-    X(TEST_ASSERT_DOUBLE_IS_INF, (INFINITY), (DBL_MAX), "1.7976")     \
+    X(TEST_ASSERT_DOUBLE_IS_INF, (INFINITY), (DBL_MAX), LARGEST)      \
     X(TEST_ASSERT_DOUBLE_IS_NEG_INF, (-INFINITY), (INFINITY), "inf")  \
     X(TEST_ASSERT_DOUBLE_IS_NAN, (NAN), (0.0), "0")                   \
     X(TEST_ASSERT_DOUBLE_IS_DETERMINATE, (DBL_MAX), (NAN), "nan")     \
@@ -565,15 +571,20 @@ static void test_reals_are_printed_with_nine_digits(void)
     } cases[] = {
         {0.0, "Was 0\n"},
         {1.0, "Was 1.00000000e+00\n"},
+#if DBL_MANT_DIG == 53
         {-0.1, "Was -1.00000000e-01\n"},
         {123456789.0, "Was 1.23456789e+08\n"},
         {9999999996.0, "Was 1.00000000e+10\n"},
         {9999999994.0, "Was 9.99999999e+09\n"},
         {(double)FLT_MAX, "Was 3.40282347e+38\n"},
         {(double)FLT_MIN, "Was 1.17549435e-38\n"},
-#if DBL_MAX_EXP == 1024
         {DBL_MAX, "Was 1.79769313e+308\n"},
         {4.9406564584124654e-324, "Was 4.94065646e-324\n"},
+#else /* AVR: 7 digits are right */
+        {-0.1, "Was -1.000000"},
+        {123456789.0, "Was 1.234567"},
+        {(double)FLT_MAX, "Was 3.402823"},
+        {(double)FLT_MIN, "Was 1.175494"},
 #endif
         {(double)INFINITY, "Was inf\n"},
         {(double)-INFINITY, "Was -inf\n"},
