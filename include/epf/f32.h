@@ -56,13 +56,14 @@ typedef struct {
     float inv_v_s;           /**< 1/v_s, s/m */
     float z_ba;              /**< m */
     float z_c;               /**< f_c/sigma_0, m */
+    float z_excess;          /**< z_max - z_c, m */
     float z_max;             /**< f_max/sigma_0, m: no state is ever larger */
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
 } epf_f32_coeffs_t;
 
 /** All that follows from the velocity alone. Private. */
 typedef struct {
-    float v;        /* m/s, finite */
+    float v;        /* m/s */
     float z_ss;     /* |z_ss(v)|, eq. (9), m */
     float inv_z_ss; /* 1/z_ss */
     float inv_span; /* 1/(z_ss - z_ba) */
@@ -77,7 +78,7 @@ typedef struct {
     float dz;                  /* z_k - z_{k-1}, m */
     float force;               /* as last published, N */
     uint32_t rejected;         /**< unusable input values seen since init; stays at UINT32_MAX */
-    int8_t direction;          /* sgn(dx_k) */
+    int8_t direction;          /* sgn dx_k */
     uint8_t published;         /* index of the published operating point */
 } epf_f32_t;
 
@@ -253,8 +254,14 @@ float epf_f32_z(const epf_f32_t *ep);
 #define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)               \
     {                                                                                             \
         (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), 1.0f / (v_s), (z_ba), (f_c) / (sigma_0), \
-            (f_max) / (sigma_0), (stribeck)                                                       \
+            EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),                              \
+            (f_c) / (sigma_0) + EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),          \
+            (stribeck)                                                                            \
     }
+
+/* z_max - z_c, rounded so that added to z_c it gives no more than z_max */
+#define EPF_F32_EXCESS_(z_c, z_max) \
+    (((z_max) - (z_c)) * ((z_c) + ((z_max) - (z_c)) <= (z_max) ? 1.0f : 1.0f - FLT_EPSILON / 2.0f))
 
 #ifdef __cplusplus
 }
