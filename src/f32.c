@@ -32,23 +32,12 @@ static float within(float x, float bound)
     return x > bound ? bound : x < -bound ? -bound : x;
 }
 
-/* sgn x; 0 for NaN */
-static int8_t sign(float x)
-{
-    return x > 0.0f ? 1 : x < 0.0f ? -1 : 0;
-}
-
 static int is_nan(float x)
 {
     return x != x;
 }
 
-/* x - x is 0 for every number, and NaN for infinity and NaN */
-static int is_finite(float x)
-{
-    return x - x == 0.0f;
-}
-
+/* x - x is 0 for a number, and NaN for infinity and NaN */
 static int is_positive_and_finite(float x)
 {
     return x > x - x;
@@ -76,7 +65,7 @@ static epf_stribeck_t linked(epf_stribeck_t form)
 
 /* exp(-q) for q >= 0, within 3e-7: 2^-n by its bit pattern, times 2^-r, 0 <= r < 1, by a polynomial
    that is exact at both ends, so that the pieces join */
-static float exp_minus(float q)
+static inline float exp_minus(float q)
 {
     const float t = q * 1.44269504f; /* log2 e */
     if (!(t < 126.0f)) {
@@ -219,8 +208,12 @@ static inline float deflecting_share(const epf_f32_point_t *point, float gap)
    infinite dx, no matter what y is, the sum is not below z_ss. */
 static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
 {
-    const int8_t direction = sign(dx);
-    const float s = direction;
+    if (dx == 0.0f) {
+        ep->direction = 0;
+        ep->dz = 0.0f;
+        return 0.0f;
+    }
+    const float s = dx < 0.0f ? -1.0f : 1.0f;
     const float zeta = s * ep->z;
     const float gap = point->z_ss - zeta;
 
@@ -230,23 +223,24 @@ static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
     }
     deflection_t next = add((deflection_t){ep->z, ep->z_low}, y);
     if (!(s * next.high < point->z_ss)) { /* (13) */
-        if (is_nan(dx)) {
+        if (is_nan(y)) {
             reject(ep);
-            return ep->z;
+            return ep->direction;
         }
         next = (deflection_t){s * point->z_ss, 0.0f};
         y = s * gap;
     }
-    ep->direction = direction;
+    ep->direction = (int8_t)s;
     ep->dz = y;
     ep->z = next.high;
     ep->z_low = next.low;
-    return next.high;
+    return s;
 }
 
 float epf_f32_advance(epf_f32_t *ep, float dx)
 {
-    return move(ep, published_point(ep), dx);
+    (void)move(ep, published_point(ep), dx);
+    return ep->z;
 }
 
 float epf_f32_update(epf_f32_t *ep, float dx, float v)
@@ -268,21 +262,10 @@ float epf_f32_output(const epf_f32_t *ep)
     return *(const volatile float *)&ep->force;
 }
 
-/* sigma_1 dz/dt, 0 for an unusable dt */
-static inline float damping(epf_f32_t *ep, float dt)
-{
-    if (!is_positive_and_finite(dt)) {
-        reject(ep);
-        return 0.0f;
-    }
-    return ep->coeffs->sigma_1 * ep->dz / dt;
-}
-
 /* The sum of the terms. In case 1 the damping term opposes the others: the passivity guard leaves
    2^-10 of these, which is far above rounding, and far below what is felt. */
-static inline float guarded_sum(const epf_f32_t *ep, float others, float damped)
+static inline float guarded_sum(const epf_f32_t *ep, float s, float others, float damped)
 {
-    const float s = ep->direction;
     const float force = others + damped;
     if (s * ep->dz < 0.0f) { /* case 1 */
         const float least = others * (1.0f / 1024.0f);
@@ -291,42 +274,48 @@ static inline float guarded_sum(const epf_f32_t *ep, float others, float damped)
     return force;
 }
 
-/* The force where a term or the sum overflowed, or the velocity is infinite: the terms saturate */
-static float saturated_force(epf_f32_t *ep, float elastic, float damped, float v)
+/* The force where dt is unusable, a term or the sum overflowed, or the velocity is infinite: the
+   terms saturate */
+static float irregular_force(epf_f32_t *ep, float s, float v, float dt)
 {
-    const float viscous = ep->coeffs->sigma_2 * within(v, FLT_MAX);
-    return publish_force(
-        ep, guarded_sum(ep, elastic + within(viscous, TERM_MAX), within(damped, TERM_MAX)));
+    const epf_f32_coeffs_t *c = ep->coeffs;
+    const float viscous = within(c->sigma_2 * within(v, FLT_MAX), TERM_MAX);
+    float damped = 0.0f;
+    if (is_positive_and_finite(dt)) {
+        damped = within(c->sigma_1 * ep->dz / dt, TERM_MAX);
+    } else {
+        reject(ep);
+    }
+    return publish_force(ep, guarded_sum(ep, s, c->sigma_0 * ep->z + viscous, damped));
 }
 
-static inline float resist(epf_f32_t *ep, float v, float dt)
+static inline float resist(epf_f32_t *ep, float s, float v, float dt)
 {
-    const float v_along = (float)ep->direction * v < 0.0f ? -v : v;
-    const float elastic = ep->coeffs->sigma_0 * ep->z;
-    const float viscous = ep->coeffs->sigma_2 * v_along;
-    const float damped = damping(ep, dt);
-    const float force = guarded_sum(ep, elastic + viscous, damped); /* (14) */
-    if (!is_finite(force)) {
-        return saturated_force(ep, elastic, damped, v_along);
+    const epf_f32_coeffs_t *c = ep->coeffs;
+    const float v_along = s * v < 0.0f ? -v : v;
+    const float others = c->sigma_0 * ep->z + c->sigma_2 * v_along;
+    const float force = guarded_sum(ep, s, others, c->sigma_1 * ep->dz / dt); /* (14) */
+    if (dt > (force - force) + (dt - dt)) { /* dt is positive, both are finite */
+        return publish_force(ep, force);
     }
-    return publish_force(ep, force);
+    return irregular_force(ep, s, v_along, dt);
 }
 
 float epf_f32_force(epf_f32_t *ep, float dt)
 {
-    return resist(ep, published_point(ep)->v, dt);
+    return resist(ep, ep->direction, published_point(ep)->v, dt);
 }
 
 float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
 {
-    const epf_f32_point_t point = operating_point(ep->coeffs, v);
+    epf_f32_point_t point = operating_point(ep->coeffs, v);
     if (!is_usable(point)) {
-        (void)epf_f32_update(ep, dx, v);
-        return epf_f32_force(ep, dt);
+        epf_f32_set_velocity(ep, v);
+        point = *published_point(ep);
     }
-    (void)move(ep, &point, dx);
-    publish_point(ep, point);
-    return resist(ep, v, dt);
+    ep->points[ep->published] = point; /* in place: no other context reads it meanwhile */
+    const float s = move(ep, &point, dx);
+    return resist(ep, s, point.v, dt);
 }
 
 /* ---- start-up ------------------------------------------------------------------------------- */
