@@ -204,32 +204,41 @@ static inline float deflecting_share(const epf_f32_point_t *point, float gap)
     return rest + elastic_share(gap * point->inv_span) * (1.0f - rest);
 }
 
-/* In the direction s of the motion the deflection is zeta. At or above z_ss (case 1), and for an
-   infinite dx, no matter what y is, the sum is not below z_ss. */
+/* z_ss in the direction s of the motion, z_k - z_{k-1} being dz; not where dx was NaN */
+static float saturate(epf_f32_t *ep, float s, float z_ss, float dz)
+{
+    if (is_nan(dz)) {
+        reject(ep);
+        return ep->direction;
+    }
+    ep->direction = (int8_t)s;
+    ep->dz = dz;
+    ep->z = s * z_ss;
+    ep->z_low = 0.0f;
+    return s;
+}
+
+/* Returns sgn dx. In its direction the deflection is zeta = s z, and the gap z_ss - zeta; case 1 is
+   a gap that is not positive. */
 static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
 {
     if (dx == 0.0f) {
         ep->direction = 0;
-        ep->dz = 0.0f;
-        return 0.0f;
+        ep->dz = dx;
+        return dx;
     }
     const float s = dx < 0.0f ? -1.0f : 1.0f;
     const float zeta = s * ep->z;
-    const float gap = point->z_ss - zeta;
+    const float gap = (point->z_ss - zeta) - s * ep->z_low;
 
     float y = dx;
     if (zeta > ep->coeffs->z_ba && gap > 0.0f) {
         y = deflecting_share(point, gap) * dx; /* (12) */
     }
-    deflection_t next = add((deflection_t){ep->z, ep->z_low}, y);
-    if (!(s * next.high < point->z_ss)) { /* (13) */
-        if (is_nan(y)) {
-            reject(ep);
-            return ep->direction;
-        }
-        next = (deflection_t){s * point->z_ss, 0.0f};
-        y = s * gap;
+    if (!(s * y < gap)) { /* (13): also where y is infinite or NaN */
+        return saturate(ep, s, point->z_ss, is_nan(y) ? y : s * gap);
     }
+    const deflection_t next = add((deflection_t){ep->z, ep->z_low}, y);
     ep->direction = (int8_t)s;
     ep->dz = y;
     ep->z = next.high;
@@ -313,8 +322,8 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
         epf_f32_set_velocity(ep, v);
         point = *published_point(ep);
     }
-    ep->points[ep->published] = point; /* in place: no other context reads it meanwhile */
     const float s = move(ep, &point, dx);
+    ep->points[ep->published] = point; /* in place: no other context reads it meanwhile */
     return resist(ep, s, point.v, dt);
 }
 
