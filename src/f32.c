@@ -205,13 +205,8 @@ static inline float deflecting_share(const epf_f32_point_t *point, float gap)
 }
 
 /* z_ss in the direction s of the motion, z_k - z_{k-1} being dz; not where dx was NaN */
-static float saturate(epf_f32_t *ep, float s, float z_ss, float dz)
+static inline float saturate(epf_f32_t *ep, float s, float z_ss, float dz)
 {
-    if (is_nan(dz)) {
-        reject(ep);
-        return ep->direction;
-    }
-    ep->direction = (int8_t)s;
     ep->dz = dz;
     ep->z = s * z_ss;
     ep->z_low = 0.0f;
@@ -227,7 +222,12 @@ static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
         ep->dz = dx;
         return dx;
     }
-    const float s = dx < 0.0f ? -1.0f : 1.0f;
+    float s = 1.0f;
+    int8_t direction = 1;
+    if (dx < 0.0f) {
+        s = -1.0f;
+        direction = -1;
+    }
     const float zeta = s * ep->z;
     const float gap = (point->z_ss - zeta) - s * ep->z_low;
 
@@ -236,10 +236,15 @@ static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
         y = deflecting_share(point, gap) * dx; /* (12) */
     }
     if (!(s * y < gap)) { /* (13): also where y is infinite or NaN */
-        return saturate(ep, s, point->z_ss, is_nan(y) ? y : s * gap);
+        if (is_nan(y)) {
+            reject(ep);
+            return ep->direction;
+        }
+        ep->direction = direction;
+        return saturate(ep, s, point->z_ss, s * gap);
     }
     const deflection_t next = add((deflection_t){ep->z, ep->z_low}, y);
-    ep->direction = (int8_t)s;
+    ep->direction = direction;
     ep->dz = y;
     ep->z = next.high;
     ep->z_low = next.low;
@@ -304,10 +309,10 @@ static inline float resist(epf_f32_t *ep, float s, float v, float dt)
     const float v_along = s * v < 0.0f ? -v : v;
     const float others = c->sigma_0 * ep->z + c->sigma_2 * v_along;
     const float force = guarded_sum(ep, s, others, c->sigma_1 * ep->dz / dt); /* (14) */
-    if (dt > (force - force) + (dt - dt)) { /* dt is positive, both are finite */
-        return publish_force(ep, force);
+    if (!(dt > (force - force) + (dt - dt))) { /* dt is positive, both are finite */
+        return irregular_force(ep, s, v_along, dt);
     }
-    return irregular_force(ep, s, v_along, dt);
+    return publish_force(ep, force);
 }
 
 float epf_f32_force(epf_f32_t *ep, float dt)
@@ -323,8 +328,9 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
         point = *published_point(ep);
     }
     const float s = move(ep, &point, dx);
+    const float force = resist(ep, s, point.v, dt);
     ep->points[ep->published] = point; /* in place: no other context reads it meanwhile */
-    return resist(ep, s, point.v, dt);
+    return force;
 }
 
 /* ---- start-up ------------------------------------------------------------------------------- */
