@@ -204,30 +204,26 @@ static inline float deflecting_share(const epf_f32_point_t *point, float gap)
     return rest + elastic_share(gap * point->inv_span) * (1.0f - rest);
 }
 
-/* z_ss in the direction s of the motion, z_k - z_{k-1} being dz; not where dx was NaN */
-static inline float saturate(epf_f32_t *ep, float s, float z_ss, float dz)
+/* No displacement, or none that is known */
+static float stay(epf_f32_t *ep, float dx)
 {
-    ep->dz = dz;
-    ep->z = s * z_ss;
-    ep->z_low = 0.0f;
-    return s;
+    if (is_nan(dx)) {
+        reject(ep);
+    } else {
+        ep->direction = 0;
+        ep->dz = dx;
+    }
+    return ep->direction;
 }
 
 /* Returns sgn dx. In its direction the deflection is zeta = s z, and the gap z_ss - zeta; case 1 is
    a gap that is not positive. */
 static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
 {
-    if (dx == 0.0f) {
-        ep->direction = 0;
-        ep->dz = dx;
-        return dx;
+    if (!(dx > 0.0f || dx < 0.0f)) {
+        return stay(ep, dx);
     }
-    float s = 1.0f;
-    int8_t direction = 1;
-    if (dx < 0.0f) {
-        s = -1.0f;
-        direction = -1;
-    }
+    const float s = dx > 0.0f ? 1.0f : -1.0f;
     const float zeta = s * ep->z;
     const float gap = (point->z_ss - zeta) - s * ep->z_low;
 
@@ -235,17 +231,15 @@ static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
     if (zeta > ep->coeffs->z_ba && gap > 0.0f) {
         y = deflecting_share(point, gap) * dx; /* (12) */
     }
-    if (!(s * y < gap)) { /* (13): also where y is infinite or NaN */
-        if (is_nan(y)) {
-            reject(ep);
-            return ep->direction;
-        }
-        ep->direction = direction;
-        return saturate(ep, s, point->z_ss, s * gap);
+    ep->direction = dx > 0.0f ? 1 : -1;
+    if (!(s * y < gap)) { /* (13), cases 1 and 3 */
+        ep->dz = s * gap;
+        ep->z = s * point->z_ss;
+        ep->z_low = 0.0f;
+        return s;
     }
-    const deflection_t next = add((deflection_t){ep->z, ep->z_low}, y);
-    ep->direction = direction;
     ep->dz = y;
+    const deflection_t next = add((deflection_t){ep->z, ep->z_low}, y);
     ep->z = next.high;
     ep->z_low = next.low;
     return s;
