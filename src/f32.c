@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The estimator in single precision. Read psi() for the update rule, epf_f32_force() for eq. (14).
- */
+/* The estimator in single precision. Read move() for the update rule, resist() for eq. (14). Unusable
+   and overflowing inputs leave the common path by one comparison each. */
 #include "epf/f32.h"
 
 #include <stddef.h>
@@ -26,7 +26,7 @@ static float at_most(float x, float bound)
     return x < bound ? x : bound;
 }
 
-/* x in [-bound, bound]; NaN stays */
+/* x in [-bound, bound]; x is not NaN */
 static float within(float x, float bound)
 {
     return x > bound ? bound : x < -bound ? -bound : x;
@@ -112,7 +112,7 @@ float epf_f32_fss(const epf_f32_coeffs_t *coeffs, float v)
 
 /* ---- the operating point: all that follows from the velocity -------------------------------- */
 
-/* Both reciprocals by one division */
+/* Both reciprocals by one division, in which a product that is 0 makes them infinite */
 static inline epf_f32_point_t operating_point(const epf_f32_coeffs_t *c, float v)
 {
     const float z_ss = steady_state(c, v);
@@ -121,7 +121,7 @@ static inline epf_f32_point_t operating_point(const epf_f32_coeffs_t *c, float v
     return (epf_f32_point_t){v, z_ss, both * span, both * z_ss};
 }
 
-/* Not where v is NaN, nor where z_ss span left the range of float */
+/* Not where v is NaN, nor where z_ss (z_ss - z_ba) left the range of float */
 static inline int is_usable(epf_f32_point_t point)
 {
     return is_positive_and_finite(point.inv_span);
@@ -160,7 +160,7 @@ void epf_f32_set_velocity(epf_f32_t *ep, float v)
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
 /* 1 - alpha between z_ba and z_ss, where u = (z_ss - zeta)/(z_ss - z_ba): the half period of a sine,
-   which is its own mirror image, within 8e-7; exact at both ends, and level there */
+   which is its own mirror image, within 8e-7. Exact at both ends, level there, and never above 1. */
 static inline float elastic_share(float u)
 {
     const float m = u - u * u;
@@ -197,7 +197,7 @@ static inline deflection_t add(deflection_t z, float y)
 }
 
 /* 1 - alpha zeta/z_ss, eq. (12), from the gap z_ss - zeta > 0: relatively precise, so that the last
-   of the gap closes too, and never above 1 */
+   of the gap closes too */
 static inline float deflecting_share(const epf_f32_point_t *point, float gap)
 {
     const float rest = gap * point->inv_z_ss; /* 1 - zeta/z_ss */
@@ -216,8 +216,8 @@ static float stay(epf_f32_t *ep, float dx)
     return ep->direction;
 }
 
-/* Returns sgn dx. In its direction the deflection is zeta = s z, and the gap z_ss - zeta; case 1 is
-   a gap that is not positive. */
+/* Returns sgn dx. In its direction the deflection is zeta = s z, and the gap z_ss - zeta; in case 1
+   that is not positive. A y below the gap, both rounded, cannot carry the sum above z_ss. */
 static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
 {
     if (!(dx > 0.0f || dx < 0.0f)) {
@@ -232,7 +232,7 @@ static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
         y = deflecting_share(point, gap) * dx; /* (12) */
     }
     ep->direction = dx > 0.0f ? 1 : -1;
-    if (!(s * y < gap)) { /* (13), cases 1 and 3 */
+    if (!(s * y < gap)) { /* (13): cases 1 and 3 */
         ep->dz = s * gap;
         ep->z = s * point->z_ss;
         ep->z_low = 0.0f;
@@ -282,8 +282,7 @@ static inline float guarded_sum(const epf_f32_t *ep, float s, float others, floa
     return force;
 }
 
-/* The force where dt is unusable, a term or the sum overflowed, or the velocity is infinite: the
-   terms saturate */
+/* The force where dt is unusable, v is infinite, or a term or the sum overflowed */
 static float irregular_force(epf_f32_t *ep, float s, float v, float dt)
 {
     const epf_f32_coeffs_t *c = ep->coeffs;
@@ -297,13 +296,15 @@ static float irregular_force(epf_f32_t *ep, float s, float v, float dt)
     return publish_force(ep, guarded_sum(ep, s, c->sigma_0 * ep->z + viscous, damped));
 }
 
+/* s is sgn dx of the last displacement. One comparison tells that dt is positive, and that it and
+   the force are finite: x - x is then 0, and NaN otherwise. */
 static inline float resist(epf_f32_t *ep, float s, float v, float dt)
 {
     const epf_f32_coeffs_t *c = ep->coeffs;
     const float v_along = s * v < 0.0f ? -v : v;
     const float others = c->sigma_0 * ep->z + c->sigma_2 * v_along;
     const float force = guarded_sum(ep, s, others, c->sigma_1 * ep->dz / dt); /* (14) */
-    if (!(dt > (force - force) + (dt - dt))) { /* dt is positive, both are finite */
+    if (!(dt > (force - force) + (dt - dt))) {
         return irregular_force(ep, s, v_along, dt);
     }
     return publish_force(ep, force);

@@ -57,7 +57,7 @@ typedef struct {
     float z_ba;              /**< m */
     float z_c;               /**< f_c/sigma_0, m */
     float z_excess;          /**< z_max - z_c, m */
-    float z_max;             /**< f_max/sigma_0, m: no state is ever larger */
+    float z_max;             /**< f_max/sigma_0, m, rounded to z_c + z_excess: the largest state */
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
 } epf_f32_coeffs_t;
 
@@ -114,7 +114,7 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
  * @param ep      estimator, not null.
  * @param coeffs  valid coefficients, not null, which must outlive the estimator.
  *
- * Context: start-up, before any other call. Cost: 2 divisions.
+ * Context: start-up, before any other call. Cost: that of epf_f32_set_velocity.
  */
 void epf_f32_init(epf_f32_t *ep, const epf_f32_coeffs_t *coeffs);
 
@@ -163,7 +163,8 @@ float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v);
  * as the largest float: z_ss is then that of the high-speed limit. NaN counts as rejected, and the
  * last velocity stays.
  *
- * Context: velocity. Cost: 3 divisions with eq. (8), 2 with (6) and (7).
+ * Context: velocity. Cost: 2 divisions with eq. (8), 1 with (6) and (7); 2 more for parameters whose
+ * z_max^2 or z_ba^2 is near the ends of the range of float.
  */
 void epf_f32_set_velocity(epf_f32_t *ep, float v);
 
@@ -205,7 +206,8 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
  * @param ep  estimator.
  * @param dt  time over which the last displacement took place, s. Unless it is positive and finite
  *            it counts as rejected and the damping term is 0.
- * @return force in N; always finite: the damping and the viscous term saturate at FLT_MAX/4 each.
+ * @return force in N; always finite: where it would not be, the damping and the viscous term saturate
+ *         at FLT_MAX/4 each.
  *
  * Publishes the force for epf_f32_output by one store of an aligned word.
  * Context: displacement. Cost: 1 division.
