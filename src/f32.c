@@ -38,6 +38,11 @@ static int is_nan(float x)
 }
 
 /* x - x is 0 for a number, and NaN for infinity and NaN */
+static int is_finite(float x)
+{
+    return x - x == 0.0f;
+}
+
 static int is_positive_and_finite(float x)
 {
     return x > x - x;
@@ -270,6 +275,16 @@ float epf_f32_output(const epf_f32_t *ep)
     return *(const volatile float *)&ep->force;
 }
 
+/* sigma_1 dz/dt, 0 for an unusable dt */
+static inline float damping(epf_f32_t *ep, float dt)
+{
+    if (!is_positive_and_finite(dt)) {
+        reject(ep);
+        return 0.0f;
+    }
+    return ep->coeffs->sigma_1 * ep->dz / dt;
+}
+
 /* The sum of the terms. In case 1 the damping term opposes the others: the passivity guard leaves
    2^-10 of these, which is far above rounding, and far below what is felt. */
 static inline float guarded_sum(const epf_f32_t *ep, float s, float others, float damped)
@@ -282,30 +297,24 @@ static inline float guarded_sum(const epf_f32_t *ep, float s, float others, floa
     return force;
 }
 
-/* The force where dt is unusable, v is infinite, or a term or the sum overflowed */
-static float irregular_force(epf_f32_t *ep, float s, float v, float dt)
+/* The force where v is infinite, or a term or the sum overflowed */
+static float saturated_force(epf_f32_t *ep, float s, float v, float damped)
 {
-    const epf_f32_coeffs_t *c = ep->coeffs;
-    const float viscous = within(c->sigma_2 * within(v, FLT_MAX), TERM_MAX);
-    float damped = 0.0f;
-    if (is_positive_and_finite(dt)) {
-        damped = within(c->sigma_1 * ep->dz / dt, TERM_MAX);
-    } else {
-        reject(ep);
-    }
-    return publish_force(ep, guarded_sum(ep, s, c->sigma_0 * ep->z + viscous, damped));
+    const float elastic = ep->coeffs->sigma_0 * ep->z;
+    const float viscous = within(ep->coeffs->sigma_2 * within(v, FLT_MAX), TERM_MAX);
+    return publish_force(ep, guarded_sum(ep, s, elastic + viscous, within(damped, TERM_MAX)));
 }
 
-/* s is sgn dx of the last displacement. One comparison tells that dt is positive, and that it and
-   the force are finite: x - x is then 0, and NaN otherwise. */
+/* s is sgn dx of the last displacement */
 static inline float resist(epf_f32_t *ep, float s, float v, float dt)
 {
     const epf_f32_coeffs_t *c = ep->coeffs;
     const float v_along = s * v < 0.0f ? -v : v;
-    const float others = c->sigma_0 * ep->z + c->sigma_2 * v_along;
-    const float force = guarded_sum(ep, s, others, c->sigma_1 * ep->dz / dt); /* (14) */
-    if (!(dt > (force - force) + (dt - dt))) {
-        return irregular_force(ep, s, v_along, dt);
+    const float damped = damping(ep, dt);
+    const float force =
+        guarded_sum(ep, s, c->sigma_0 * ep->z + c->sigma_2 * v_along, damped); /* (14) */
+    if (!is_finite(force)) {
+        return saturated_force(ep, s, v_along, damped);
     }
     return publish_force(ep, force);
 }
