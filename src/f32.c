@@ -151,11 +151,13 @@ static inline void publish_point(epf_f32_t *ep, epf_f32_point_t point)
 
 void epf_f32_set_velocity(epf_f32_t *ep, float v)
 {
+    if (is_nan(v)) {
+        reject(ep);
+        return;
+    }
     const epf_f32_point_t point = operating_point(ep->coeffs, v);
     if (is_usable(point)) {
         publish_point(ep, point);
-    } else if (is_nan(v)) {
-        reject(ep);
     } else {
         const float span = point.z_ss - ep->coeffs->z_ba;
         publish_point(ep, (epf_f32_point_t){v, point.z_ss, 1.0f / point.z_ss, 1.0f / span});
@@ -297,24 +299,27 @@ static inline float guarded_sum(const epf_f32_t *ep, float s, float others, floa
     return force;
 }
 
-/* The force where v is infinite, or a term or the sum overflowed */
-static float saturated_force(epf_f32_t *ep, float s, float v, float damped)
+/* A term that cannot make the sum overflow. NaN is 0 times infinity: no viscosity at any speed. */
+static inline float limited(float term)
 {
-    const float elastic = ep->coeffs->sigma_0 * ep->z;
-    const float viscous = within(ep->coeffs->sigma_2 * within(v, FLT_MAX), TERM_MAX);
-    return publish_force(ep, guarded_sum(ep, s, elastic + viscous, within(damped, TERM_MAX)));
+    return is_nan(term) ? 0.0f : within(term, TERM_MAX);
+}
+
+static float saturated_force(epf_f32_t *ep, float s, float elastic, float viscous, float damped)
+{
+    return publish_force(ep, guarded_sum(ep, s, elastic + limited(viscous), limited(damped)));
 }
 
 /* s is sgn dx of the last displacement */
 static inline float resist(epf_f32_t *ep, float s, float v, float dt)
 {
-    const epf_f32_coeffs_t *c = ep->coeffs;
     const float v_along = s * v < 0.0f ? -v : v;
+    const float elastic = ep->coeffs->sigma_0 * ep->z;
+    const float viscous = ep->coeffs->sigma_2 * v_along;
     const float damped = damping(ep, dt);
-    const float force =
-        guarded_sum(ep, s, c->sigma_0 * ep->z + c->sigma_2 * v_along, damped); /* (14) */
+    const float force = guarded_sum(ep, s, elastic + viscous, damped); /* (14) */
     if (!is_finite(force)) {
-        return saturated_force(ep, s, v_along, damped);
+        return saturated_force(ep, s, elastic, viscous, damped);
     }
     return publish_force(ep, force);
 }

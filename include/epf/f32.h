@@ -159,9 +159,9 @@ float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v);
  * Tells the estimator the velocity: computes |z_ss(v)|, eq. (9), and its reciprocals.
  *
  * @param ep  estimator.
- * @param v   velocity, m/s. Its sign is used by the force, and only while dx = 0. Infinity counts
- * as the largest float: z_ss is then that of the high-speed limit. NaN counts as rejected, and the
- * last velocity stays.
+ * @param v   velocity, m/s. Its sign is used by the force, and only while dx = 0. Where it is infinite
+ *            z_ss is that of the high-speed limit, and the viscous term saturates. NaN counts as
+ *            rejected, and the last velocity stays.
  *
  * Context: velocity. Cost: 2 divisions with eq. (8), 1 with (6) and (7); 2 more for parameters whose
  * z_max^2 or z_ba^2 is near the ends of the range of float.
