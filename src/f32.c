@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The estimator in single precision. Read psi() for the update rule, epf_f32_force() for eq. (14).
- */
+/* The estimator in single precision. Read move() for the update rule, resist() for eq. (14). Unusable
+   and overflowing inputs leave the common path by one comparison each. */
 #include "epf/f32.h"
 
 #include <stddef.h>
@@ -19,13 +19,7 @@
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off, or -std=c99 */
 #endif
 
-#define TERM_MAX        (FLT_MAX / 4.0f)        /* three terms of the force cannot overflow */
-#define PASSIVITY_GUARD (1.0f - 1.0f / 1024.0f) /* far above rounding, far below what is felt */
-
-static float absolute(float x)
-{
-    return x < 0.0f ? -x : x;
-}
+#define TERM_MAX (FLT_MAX / 4.0f) /* three terms of the force cannot overflow */
 
 static float at_most(float x, float bound)
 {
@@ -38,15 +32,20 @@ static float within(float x, float bound)
     return x > bound ? bound : x < -bound ? -bound : x;
 }
 
-/* sgn x; 0 for NaN */
-static int8_t sign(float x)
-{
-    return (int8_t)((x > 0.0f) - (x < 0.0f));
-}
-
 static int is_nan(float x)
 {
     return x != x;
+}
+
+/* x - x is 0 for a number, and NaN for infinity and NaN */
+static int is_finite(float x)
+{
+    return x - x == 0.0f;
+}
+
+static int is_positive_and_finite(float x)
+{
+    return x > x - x;
 }
 
 static void reject(epf_f32_t *ep)
@@ -58,13 +57,24 @@ static void reject(epf_f32_t *ep)
 
 /* ---- steady state: eqs. (6) to (9) ---------------------------------------------------------- */
 
+/* The form of f_ss(v); known to the compiler where the library is built for one form only */
+static epf_stribeck_t linked(epf_stribeck_t form)
+{
+#ifdef EPF_STRIBECK_ONLY
+    (void)form;
+    return EPF_STRIBECK_ONLY;
+#else
+    return form;
+#endif
+}
+
 /* exp(-q) for q >= 0, within 3e-7: 2^-n by its bit pattern, times 2^-r, 0 <= r < 1, by a polynomial
    that is exact at both ends, so that the pieces join */
-static float exp_minus(float q)
+static inline float exp_minus(float q)
 {
     const float t = q * 1.44269504f; /* log2 e */
     if (!(t < 126.0f)) {
-        return 0.0f;
+        return is_nan(t) ? t : 0.0f;
     }
     const uint32_t n = (uint32_t)t;
     const float r = t - (float)n;
@@ -77,105 +87,49 @@ static float exp_minus(float q)
     return power.value * (1.0f - r * (0.5f - (1.0f - r) * bend));
 }
 
-/* Where f_ss stands between f_c (0) and f_max (1) at a velocity other than 0 */
-static float stribeck_weight(const epf_f32_coeffs_t *c, float v)
+/* What f_ss(v) or z_ss(v) has beyond f_c or z_c: at rest all of the excess. NaN stays NaN. */
+static inline float stribeck(const epf_f32_coeffs_t *c, float excess, float v)
 {
+    const epf_stribeck_t form = linked(c->stribeck);
+    if (form == EPF_STRIBECK_COULOMB) {
+        return is_nan(v) ? v : v == 0.0f ? excess : 0.0f; /* (6) */
+    }
     const float ratio = v * c->inv_v_s;
     const float q = ratio * ratio;
-    switch (c->stribeck) {
-    case EPF_STRIBECK_COULOMB:
-        return 0.0f; /* (6) */
-    case EPF_STRIBECK_GAUSSIAN:
-        return exp_minus(q); /* (7) */
-    case EPF_STRIBECK_LORENTZIAN:
-    default:
-        return 1.0f / (1.0f + q); /* (8) */
+    if (form == EPF_STRIBECK_GAUSSIAN) {
+        return excess * exp_minus(q); /* (7) */
     }
+    return excess / (1.0f + q); /* (8) */
 }
 
-/* low + weight (high - low), which rounding must not carry beyond high */
-static float between(float low, float high, float weight)
+/* |z_ss(v)|, eq. (9): never above z_max, for that is z_c + z_excess and rounding is monotonic */
+static inline float steady_state(const epf_f32_coeffs_t *c, float v)
 {
-    return at_most(low + weight * (high - low), high);
-}
-
-/* |z_ss(v)|, eq. (9) */
-static float steady_state(const epf_f32_coeffs_t *c, float v)
-{
-    return v == 0.0f ? c->z_max : between(c->z_c, c->z_max, stribeck_weight(c, v));
+    return c->z_c + stribeck(c, c->z_excess, v);
 }
 
 float epf_f32_fss(const epf_f32_coeffs_t *coeffs, float v)
 {
-    return (float)sign(v) * between(coeffs->f_c, coeffs->f_max, stribeck_weight(coeffs, v));
+    const float excess = coeffs->f_max - coeffs->f_c;
+    const float force = at_most(coeffs->f_c + stribeck(coeffs, excess, v), coeffs->f_max);
+    return v > 0.0f ? force : v < 0.0f ? -force : 0.0f;
 }
 
-/* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
+/* ---- the operating point: all that follows from the velocity -------------------------------- */
 
-/* 1/2 + 1/2 sin(pi (u - 1/2)) for 0 <= u <= 1, within 1e-6: sin(pi u/2) squared up to the middle,
-   where the polynomial meets its mirror image; exact at both ends, and never outside of [0, 1] */
-static float half_sine(float u)
+/* Both reciprocals by one division, in which a product that is 0 makes them infinite */
+static inline epf_f32_point_t operating_point(const epf_f32_coeffs_t *c, float v)
 {
-    const float x = u < 0.5f ? u : 1.0f - u;
-    const float q = x * x;
-    const float sine = x * (1.57078185f - q * (0.645621415f - q * 0.0773930458f));
-    return u < 0.5f ? sine * sine : 1.0f - sine * sine;
+    const float z_ss = steady_state(c, v);
+    const float span = z_ss - c->z_ba;
+    const float both = 1.0f / (z_ss * span);
+    return (epf_f32_point_t){v, z_ss, both * span, both * z_ss};
 }
 
-/* alpha for zeta = z sgn(dx) and z_ss > 0: the elastic range first, for it must cost least */
-static float alpha_at(float zeta, float z_ba, float z_ss, float inv_span)
+/* Not where v is NaN, nor where z_ss (z_ss - z_ba) left the range of float */
+static inline int is_usable(epf_f32_point_t point)
 {
-    if (zeta <= z_ba) {
-        return 0.0f;
-    }
-    if (zeta >= z_ss) {
-        return 1.0f;
-    }
-    return half_sine((zeta - z_ba) * inv_span);
-}
-
-float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v)
-{
-    if (sign(z) * sign(v) <= 0) {
-        return 0.0f;
-    }
-    const float z_ss = steady_state(coeffs, v);
-    return alpha_at(absolute(z), coeffs->z_ba, z_ss, 1.0f / (z_ss - coeffs->z_ba));
-}
-
-/* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
-
-/* The unevaluated sum high + low, |low| <= ulp(high)/2 */
-typedef struct {
-    float high, low;
-} deflection_t;
-
-/* z + y, exact to 48 bits (Knuth's two-sum). Never less than z for y >= 0, and odd. */
-static deflection_t add(deflection_t z, float y)
-{
-    const float sum = z.high + y;
-    const float y_seen = sum - z.high;
-    const float lost = (z.high - (sum - y_seen)) + (y - y_seen);
-    const float low = z.low + lost;
-    const float high = sum + low;
-    return (deflection_t){high, low - (high - sum)};
-}
-
-/* One displacement d > 0 in the direction of which the deflection is zeta. From 2 z_max on it
-   always ends in z_ss, since 1 - alpha zeta/z_ss >= 1 - zeta/z_ss. */
-static deflection_t psi(const epf_f32_coeffs_t *c, const epf_f32_point_t *point, deflection_t zeta,
-                        float d)
-{
-    const deflection_t steady = {point->z_ss, 0.0f};
-
-    if (zeta.high >= point->z_ss || d >= 2.0f * c->z_max) { /* case 1 */
-        return steady;
-    }
-    const float alpha = alpha_at(zeta.high, c->z_ba, point->z_ss, point->inv_span);
-    const float plastic = at_most(alpha * zeta.high * point->inv_z_ss, 1.0f);
-    const float y = (1.0f - plastic) * d; /* (12) */
-    const deflection_t next = add(zeta, y);
-    return next.high < point->z_ss ? next : steady; /* (13), cases 2 and 3 */
+    return is_positive_and_finite(point.inv_span);
 }
 
 static const epf_f32_point_t *published_point(const epf_f32_t *ep)
@@ -184,9 +138,9 @@ static const epf_f32_point_t *published_point(const epf_f32_t *ep)
 }
 
 /* Volatile accesses keep their order: the index follows the point that it announces */
-static void publish_point(epf_f32_t *ep, epf_f32_point_t point)
+static inline void publish_point(epf_f32_t *ep, epf_f32_point_t point)
 {
-    const uint8_t aside = (uint8_t)(1u - ep->published);
+    const uint8_t aside = ep->published ^ 1u;
     volatile epf_f32_point_t *target = &ep->points[aside];
     target->v = point.v;
     target->z_ss = point.z_ss;
@@ -201,30 +155,106 @@ void epf_f32_set_velocity(epf_f32_t *ep, float v)
         reject(ep);
         return;
     }
-    const float finite = within(v, FLT_MAX);
-    const float z_ss = steady_state(ep->coeffs, finite);
-    publish_point(ep,
-                  (epf_f32_point_t){finite, z_ss, 1.0f / z_ss, 1.0f / (z_ss - ep->coeffs->z_ba)});
+    const epf_f32_point_t point = operating_point(ep->coeffs, v);
+    if (is_usable(point)) {
+        publish_point(ep, point);
+    } else {
+        const float span = point.z_ss - ep->coeffs->z_ba;
+        publish_point(ep, (epf_f32_point_t){v, point.z_ss, 1.0f / point.z_ss, 1.0f / span});
+    }
+}
+
+/* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
+
+/* 1 - alpha between z_ba and z_ss, where u = (z_ss - zeta)/(z_ss - z_ba): the half period of a sine,
+   which is its own mirror image, within 8e-7. Exact at both ends, level there, and never above 1. */
+static inline float elastic_share(float u)
+{
+    const float m = u - u * u;
+    return u + (u - 0.5f) * m * (2.0f + m * (1.06417607f + m * 0.273587248f));
+}
+
+float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v)
+{
+    const float zeta = v > 0.0f ? z : v < 0.0f ? -z : 0.0f;
+    if (!(zeta > coeffs->z_ba)) {
+        return 0.0f;
+    }
+    const float z_ss = steady_state(coeffs, v);
+    const float gap = z_ss - zeta;
+    return gap > 0.0f ? 1.0f - elastic_share(gap / (z_ss - coeffs->z_ba)) : 1.0f;
+}
+
+/* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
+
+/* The unevaluated sum high + low, |low| <= ulp(high)/2 */
+typedef struct {
+    float high, low;
+} deflection_t;
+
+/* z + y, exact to 48 bits (Knuth's two-sum); odd, and never less than z for y >= 0 */
+static inline deflection_t add(deflection_t z, float y)
+{
+    const float sum = z.high + y;
+    const float y_seen = sum - z.high;
+    const float lost = (z.high - (sum - y_seen)) + (y - y_seen);
+    const float low = z.low + lost;
+    const float high = sum + low;
+    return (deflection_t){high, low - (high - sum)};
+}
+
+/* 1 - alpha zeta/z_ss, eq. (12), from the gap z_ss - zeta > 0: relatively precise, so that the last
+   of the gap closes too */
+static inline float deflecting_share(const epf_f32_point_t *point, float gap)
+{
+    const float rest = gap * point->inv_z_ss; /* 1 - zeta/z_ss */
+    return rest + elastic_share(gap * point->inv_span) * (1.0f - rest);
+}
+
+/* No displacement, or none that is known */
+static float stay(epf_f32_t *ep, float dx)
+{
+    if (is_nan(dx)) {
+        reject(ep);
+    } else {
+        ep->direction = 0;
+        ep->dz = dx;
+    }
+    return ep->direction;
+}
+
+/* Returns sgn dx. In its direction the deflection is zeta = s z, and the gap z_ss - zeta; in case 1
+   that is not positive. A y below the gap, both rounded, cannot carry the sum above z_ss. */
+static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
+{
+    if (!(dx > 0.0f || dx < 0.0f)) {
+        return stay(ep, dx);
+    }
+    const float s = dx > 0.0f ? 1.0f : -1.0f;
+    const float zeta = s * ep->z;
+    const float gap = (point->z_ss - zeta) - s * ep->z_low;
+
+    float y = dx;
+    if (zeta > ep->coeffs->z_ba && gap > 0.0f) {
+        y = deflecting_share(point, gap) * dx; /* (12) */
+    }
+    ep->direction = dx > 0.0f ? 1 : -1;
+    if (!(s * y < gap)) { /* (13): cases 1 and 3 */
+        ep->dz = s * gap;
+        ep->z = s * point->z_ss;
+        ep->z_low = 0.0f;
+        return s;
+    }
+    ep->dz = y;
+    const deflection_t next = add((deflection_t){ep->z, ep->z_low}, y);
+    ep->z = next.high;
+    ep->z_low = next.low;
+    return s;
 }
 
 float epf_f32_advance(epf_f32_t *ep, float dx)
 {
-    if (is_nan(dx)) {
-        reject(ep);
-        return ep->z;
-    }
-    ep->direction = sign(dx);
-    if (ep->direction == 0) {
-        ep->dz = 0.0f;
-        return ep->z;
-    }
-    const float s = (float)ep->direction;
-    const deflection_t zeta = {s * ep->z, s * ep->z_low};
-    const deflection_t next = psi(ep->coeffs, published_point(ep), zeta, s * dx);
-
-    ep->dz = s * ((next.high - zeta.high) + (next.low - zeta.low));
-    ep->z = s * next.high;
-    ep->z_low = s * next.low;
+    (void)move(ep, published_point(ep), dx);
     return ep->z;
 }
 
@@ -236,9 +266,10 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v)
 
 /* ---- the force: eq. (14) -------------------------------------------------------------------- */
 
-static void publish_force(epf_f32_t *ep, float force)
+static inline float publish_force(epf_f32_t *ep, float force)
 {
     *(volatile float *)&ep->force = force;
+    return force;
 }
 
 float epf_f32_output(const epf_f32_t *ep)
@@ -246,37 +277,69 @@ float epf_f32_output(const epf_f32_t *ep)
     return *(const volatile float *)&ep->force;
 }
 
-/* sigma_1 dz/dt, 0 for an unusable dt. No product here can be NaN: all factors are finite. */
-static float damping(epf_f32_t *ep, float dt)
+/* sigma_1 dz/dt, 0 for an unusable dt */
+static inline float damping(epf_f32_t *ep, float dt)
 {
-    if (!(dt > 0.0f && dt <= FLT_MAX)) {
+    if (!is_positive_and_finite(dt)) {
         reject(ep);
         return 0.0f;
     }
-    return within(ep->coeffs->sigma_1 * ep->dz / dt, TERM_MAX);
+    return ep->coeffs->sigma_1 * ep->dz / dt;
+}
+
+/* The sum of the terms. In case 1 the damping term opposes the others: the passivity guard leaves
+   2^-10 of these, which is far above rounding, and far below what is felt. */
+static inline float guarded_sum(const epf_f32_t *ep, float s, float others, float damped)
+{
+    const float force = others + damped;
+    if (s * ep->dz < 0.0f) { /* case 1 */
+        const float least = others * (1.0f / 1024.0f);
+        return s * force < s * least ? least : force;
+    }
+    return force;
+}
+
+/* A term that cannot make the sum overflow. NaN is 0 times infinity: no viscosity at any speed. */
+static inline float limited(float term)
+{
+    return is_nan(term) ? 0.0f : within(term, TERM_MAX);
+}
+
+static float saturated_force(epf_f32_t *ep, float s, float elastic, float viscous, float damped)
+{
+    return publish_force(ep, guarded_sum(ep, s, elastic + limited(viscous), limited(damped)));
+}
+
+/* s is sgn dx of the last displacement */
+static inline float resist(epf_f32_t *ep, float s, float v, float dt)
+{
+    const float v_along = s * v < 0.0f ? -v : v;
+    const float elastic = ep->coeffs->sigma_0 * ep->z;
+    const float viscous = ep->coeffs->sigma_2 * v_along;
+    const float damped = damping(ep, dt);
+    const float force = guarded_sum(ep, s, elastic + viscous, damped); /* (14) */
+    if (!is_finite(force)) {
+        return saturated_force(ep, s, elastic, viscous, damped);
+    }
+    return publish_force(ep, force);
 }
 
 float epf_f32_force(epf_f32_t *ep, float dt)
 {
-    const float s = (float)ep->direction;
-    const float v = published_point(ep)->v;
-    const float v_along = ep->direction != 0 ? s * absolute(v) : v;
-
-    const float elastic = ep->coeffs->sigma_0 * ep->z;
-    const float viscous = within(ep->coeffs->sigma_2 * v_along, TERM_MAX);
-    float damped = damping(ep, dt);
-    if (s * ep->dz < 0.0f) { /* case 1 */
-        damped = within(damped, PASSIVITY_GUARD * (absolute(elastic) + absolute(viscous)));
-    }
-    const float force = elastic + damped + viscous; /* (14) */
-    publish_force(ep, force);
-    return force;
+    return resist(ep, ep->direction, published_point(ep)->v, dt);
 }
 
 float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
 {
-    (void)epf_f32_update(ep, dx, v);
-    return epf_f32_force(ep, dt);
+    epf_f32_point_t point = operating_point(ep->coeffs, v);
+    if (!is_usable(point)) {
+        epf_f32_set_velocity(ep, v);
+        point = *published_point(ep);
+    }
+    const float s = move(ep, &point, dx);
+    const float force = resist(ep, s, point.v, dt);
+    ep->points[ep->published] = point; /* in place: no other context reads it meanwhile */
+    return force;
 }
 
 /* ---- start-up ------------------------------------------------------------------------------- */
@@ -291,6 +354,9 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
         return status;
     }
     const epf_params_t p = *params;
+    if (linked(p.stribeck) != p.stribeck) {
+        return EPF_ERR_STRIBECK;
+    }
     *coeffs = (epf_f32_coeffs_t)EPF_F32_DERIVE_(p.sigma_0, p.sigma_1, p.sigma_2, p.f_c, p.f_max,
                                                 p.v_s, p.z_ba, p.stribeck);
     return EPF_OK;
@@ -312,7 +378,7 @@ void epf_f32_reset(epf_f32_t *ep, float z)
     ep->z_low = 0.0f;
     ep->dz = 0.0f;
     ep->direction = 0;
-    publish_force(ep, ep->coeffs->sigma_0 * ep->z);
+    (void)publish_force(ep, ep->coeffs->sigma_0 * ep->z);
 }
 
 float epf_f32_z(const epf_f32_t *ep)

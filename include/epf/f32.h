@@ -56,13 +56,14 @@ typedef struct {
     float inv_v_s;           /**< 1/v_s, s/m */
     float z_ba;              /**< m */
     float z_c;               /**< f_c/sigma_0, m */
-    float z_max;             /**< f_max/sigma_0, m: no state is ever larger */
+    float z_excess;          /**< z_max - z_c, m */
+    float z_max;             /**< f_max/sigma_0, m, rounded to z_c + z_excess: the largest state */
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
 } epf_f32_coeffs_t;
 
 /** All that follows from the velocity alone. Private. */
 typedef struct {
-    float v;        /* m/s, finite */
+    float v;        /* m/s */
     float z_ss;     /* |z_ss(v)|, eq. (9), m */
     float inv_z_ss; /* 1/z_ss */
     float inv_span; /* 1/(z_ss - z_ba) */
@@ -77,7 +78,7 @@ typedef struct {
     float dz;                  /* z_k - z_{k-1}, m */
     float force;               /* as last published, N */
     uint32_t rejected;         /**< unusable input values seen since init; stays at UINT32_MAX */
-    int8_t direction;          /* sgn(dx_k) */
+    int8_t direction;          /* sgn dx_k */
     uint8_t published;         /* index of the published operating point */
 } epf_f32_t;
 
@@ -113,7 +114,7 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
  * @param ep      estimator, not null.
  * @param coeffs  valid coefficients, not null, which must outlive the estimator.
  *
- * Context: start-up, before any other call. Cost: 2 divisions.
+ * Context: start-up, before any other call. Cost: that of epf_f32_set_velocity.
  */
 void epf_f32_init(epf_f32_t *ep, const epf_f32_coeffs_t *coeffs);
 
@@ -158,11 +159,12 @@ float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v);
  * Tells the estimator the velocity: computes |z_ss(v)|, eq. (9), and its reciprocals.
  *
  * @param ep  estimator.
- * @param v   velocity, m/s. Its sign is used by the force, and only while dx = 0. Infinity counts
- * as the largest float: z_ss is then that of the high-speed limit. NaN counts as rejected, and the
- * last velocity stays.
+ * @param v   velocity, m/s. Its sign is used by the force, and only while dx = 0. Where it is infinite
+ *            z_ss is that of the high-speed limit, and the viscous term saturates. NaN counts as
+ *            rejected, and the last velocity stays.
  *
- * Context: velocity. Cost: 3 divisions with eq. (8), 2 with (6) and (7).
+ * Context: velocity. Cost: 2 divisions with eq. (8), 1 with (6) and (7); 2 more for parameters whose
+ * z_max^2 or z_ba^2 is near the ends of the range of float.
  */
 void epf_f32_set_velocity(epf_f32_t *ep, float v);
 
@@ -204,7 +206,8 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
  * @param ep  estimator.
  * @param dt  time over which the last displacement took place, s. Unless it is positive and finite
  *            it counts as rejected and the damping term is 0.
- * @return force in N; always finite: the damping and the viscous term saturate at FLT_MAX/4 each.
+ * @return force in N; always finite: where it would not be, the damping and the viscous term saturate
+ *         at FLT_MAX/4 each.
  *
  * Publishes the force for epf_f32_output by one store of an aligned word.
  * Context: displacement. Cost: 1 division.
@@ -253,8 +256,14 @@ float epf_f32_z(const epf_f32_t *ep);
 #define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)               \
     {                                                                                             \
         (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), 1.0f / (v_s), (z_ba), (f_c) / (sigma_0), \
-            (f_max) / (sigma_0), (stribeck)                                                       \
+            EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),                              \
+            (f_c) / (sigma_0) + EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),          \
+            (stribeck)                                                                            \
     }
+
+/* z_max - z_c, rounded so that added to z_c it gives no more than z_max */
+#define EPF_F32_EXCESS_(z_c, z_max) \
+    (((z_max) - (z_c)) * ((z_c) + ((z_max) - (z_c)) <= (z_max) ? 1.0f : 1.0f - FLT_EPSILON / 2.0f))
 
 #ifdef __cplusplus
 }
