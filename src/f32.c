@@ -3,6 +3,8 @@
    and overflowing inputs leave the common path by one comparison each. */
 #include "epf/f32.h"
 
+#include "stribeck.h"
+
 #include <stddef.h>
 
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
@@ -56,17 +58,6 @@ static void reject(epf_f32_t *ep)
 }
 
 /* ---- steady state: eqs. (6) to (9) ---------------------------------------------------------- */
-
-/* The form of f_ss(v); known to the compiler where the library is built for one form only */
-static epf_stribeck_t linked(epf_stribeck_t form)
-{
-#ifdef EPF_STRIBECK_ONLY
-    (void)form;
-    return EPF_STRIBECK_ONLY;
-#else
-    return form;
-#endif
-}
 
 /* exp(-q) for q >= 0, within 3e-7: 2^-n by its bit pattern, times 2^-r, 0 <= r < 1, by a polynomial
    that is exact at both ends, so that the pieces join */
@@ -354,9 +345,6 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
         return status;
     }
     const epf_params_t p = *params;
-    if (linked(p.stribeck) != p.stribeck) {
-        return EPF_ERR_STRIBECK;
-    }
     *coeffs = (epf_f32_coeffs_t)EPF_F32_DERIVE_(p.sigma_0, p.sigma_1, p.sigma_2, p.f_c, p.f_max,
                                                 p.v_s, p.z_ba, p.stribeck);
     return EPF_OK;

@@ -12,6 +12,8 @@
 
 #include "epf/fixed.h"
 
+#include "stribeck.h"
+
 /* No state reaches this: the difference of two states fits 32 bits */
 #define STATE_LIMIT 1073741824
 
@@ -263,20 +265,6 @@ static inline void publish_force(epf_fixed_t *ep, int32_t force)
 static inline int32_t published_force(const epf_fixed_t *ep)
 {
     return *(const volatile int32_t *)&ep->force;
-}
-
-/* The form of f_ss(v): that of the contact, or the only one that was compiled */
-/*@ requires \valid_read(c);
-    assigns \nothing;
-*/
-static inline epf_stribeck_t form(const epf_fixed_coeffs_t *c)
-{
-#ifdef EPF_STRIBECK_ONLY
-    (void)c;
-    return EPF_STRIBECK_ONLY;
-#else
-    return c->stribeck;
-#endif
 }
 
 /* A motion in that direction brings the state to z */

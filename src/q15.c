@@ -156,10 +156,11 @@ static uint16_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t speed)
     const uint16_t r = (uint16_t)(ratio < 61440u ? ratio : 61440u);
     const uint32_t q = wide(r, r);
     /*@ assert q <= 61440 * 61440; */
-    if (form(c) == EPF_STRIBECK_COULOMB) {
+    if (linked(c->stribeck) == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
     }
-    return form(c) == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
+    return linked(c->stribeck) == EPF_STRIBECK_GAUSSIAN ? gaussian(q)
+                                                        : lorentzian(q); /* (7), (8) */
 }
 
 /* |z_ss(v)|, eq. (9), for |v| > 0 */

@@ -100,10 +100,11 @@ static inline uint32_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t spe
     const uint32_t ratio = gained(speed, c->v_s_inverse, 18); /* Q18 */
     const uint64_t q = (uint64_t)ratio * ratio;
     /*@ assert q <= TERM_MAX * TERM_MAX; */
-    if (form(c) == EPF_STRIBECK_COULOMB) {
+    if (linked(c->stribeck) == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
     }
-    return form(c) == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
+    return linked(c->stribeck) == EPF_STRIBECK_GAUSSIAN ? gaussian(q)
+                                                        : lorentzian(q); /* (7), (8) */
 }
 
 /* |z_ss(v)|, eq. (9), for |v| > 0 */

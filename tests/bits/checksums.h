@@ -6,8 +6,8 @@
 #ifndef EPF_TESTS_CHECKSUMS_H
 #define EPF_TESTS_CHECKSUMS_H
 
-#define CHECKSUM_F32 0xdf6ba95du
-#define CHECKSUM_Q31 0x21e36544u
-#define CHECKSUM_Q15 0xb858a6e4u
+#define CHECKSUM_F32 0xf74b715du
+#define CHECKSUM_Q31 0x78ab7630u
+#define CHECKSUM_Q15 0xeb68bde8u
 
 #endif
