@@ -65,45 +65,8 @@ static uint32_t part(uint32_t a, uint16_t b)
     return wide(high(a), b) + product((uint16_t)(a % 65536u), b);
 }
 
-/* A positive number moved up so that its highest bit is the 16th: x 2^zeros */
-typedef struct {
-    uint16_t mantissa;
-    int zeros;
-} short_normal_t;
-
-/*@ requires 0 < x;
-    assigns \nothing;
-    ensures 0 <= \result.zeros <= 15 && 32768 <= \result.mantissa;
-*/
-static inline short_normal_t short_normalised(uint16_t x)
-{
-#ifdef __ARM_FEATURE_CLZ
-    const normal_t long_x = normalised(x);
-    return (short_normal_t){high(long_x.mantissa), long_x.zeros - 16};
-#else
-    int zeros = 0;
-    if (x / 0x100u == 0) {
-        x = (uint16_t)(x * 0x100u);
-        zeros = 8;
-    }
-    if (x / 0x1000u == 0) {
-        x = (uint16_t)(x * 0x10u);
-        zeros += 4;
-    }
-    if (x / 0x4000u == 0) {
-        x = (uint16_t)(x * 4u);
-        zeros += 2;
-    }
-    if (x / 0x8000u == 0) {
-        x = (uint16_t)(x * 2u);
-        zeros += 1;
-    }
-    return (short_normal_t){x, zeros};
-#endif
-}
-
 /*
- * About 2^31/m, from below, for 2^15 <= m < 2^16, without a division, which small cores do not have:
+ * About 2^31/m, and less, for 2^15 <= m < 2^16, without a division, which small cores do not have:
  * two steps of Newton's iteration, x (2 - m x/2^31), from a straight line within 1/17.
  */
 /*@ requires 32768 <= m;
@@ -127,29 +90,28 @@ static uint16_t mantissa_16(epf_gain_t gain)
 
 /* 2^power x times a gain, at most TERM_MAX */
 /*@ requires gain.mantissa < 16777216;
-    requires 0 <= x.zeros <= 15 && 0 <= power <= 32;
+    requires 0 <= x.zeros <= 31 && 0 <= power <= 32;
     assigns \nothing;
     ensures \result <= TERM_MAX;
 */
-static uint32_t gained(short_normal_t x, epf_gain_t gain, int power)
+static uint32_t gained(normal_t x, epf_gain_t gain, int power)
 {
-    return scaled(wide(x.mantissa, mantissa_16(gain)), gain.shift + x.zeros - 8 - power);
+    return scaled(wide(high(x.mantissa), mantissa_16(gain)), gain.shift + x.zeros - 24 - power);
 }
 
 /* 2^32/x; less than 1 counts as 1 */
 /*@ assigns \nothing; */
 static uint32_t inverse(uint16_t x)
 {
-    const short_normal_t m = short_normalised(x != 0 ? x : 1u);
-    return shifted_down(reciprocal(m.mantissa) * UINT32_C(65536), 15 - m.zeros);
+    const normal_t m = normalised(x != 0 ? x : 1u);
+    return shifted_down(reciprocal(high(m.mantissa)) * UINT32_C(65536), 31 - m.zeros);
 }
 
-/* a/x for 0 <= a, from the inverse of x; at most 1 */
+/* a/x for 0 <= a <= x, from the inverse of x, which is less than 2^32/x: so this is less than 1 */
 /*@ assigns \nothing; */
 static uint16_t quotient(uint16_t a, uint32_t inverse_of_x)
 {
-    const uint32_t q = part(inverse_of_x, a);
-    return q < ONE ? (uint16_t)q : ONE;
+    return (uint16_t)part(inverse_of_x, a);
 }
 
 /* A length below 2^30 in 16 bits, for inverse() and quotient() */
@@ -190,10 +152,10 @@ static uint16_t gaussian(uint32_t q)
 }
 
 /*@ requires valid_coeffs(c);
-    requires 0 <= speed.zeros <= 15;
+    requires 0 <= speed.zeros <= 31;
     assigns \nothing;
 */
-static uint16_t stribeck_weight(const epf_fixed_coeffs_t *c, short_normal_t speed)
+static uint16_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t speed)
 {
     const uint32_t ratio = gained(speed, c->v_s_inverse, 10); /* Q10; 60 v_s and more are as one */
     const uint16_t r = (uint16_t)(ratio < 61440u ? ratio : 61440u);
@@ -208,11 +170,11 @@ static uint16_t stribeck_weight(const epf_fixed_coeffs_t *c, short_normal_t spee
 
 /* |z_ss(v)|, eq. (9), for |v| > 0 */
 /*@ requires valid_coeffs(c);
-    requires 0 <= speed.zeros <= 15;
+    requires 0 <= speed.zeros <= 31;
     assigns \nothing;
     ensures c->z_c <= \result <= c->z_max;
 */
-static int32_t steady_state(const epf_fixed_coeffs_t *c, short_normal_t speed)
+static int32_t steady_state(const epf_fixed_coeffs_t *c, normal_t speed)
 {
     return c->z_c + (int32_t)part((uint32_t)(c->z_max - c->z_c), stribeck_weight(c, speed));
 }
@@ -231,7 +193,7 @@ static void prepare_point(const epf_fixed_coeffs_t *c, int16_t v, epf_fixed_poin
     int32_t z_ss = c->z_max;
     int32_t viscous = 0;
     if (v != 0) {
-        const short_normal_t speed = short_normalised((uint16_t)magnitude(v));
+        const normal_t speed = normalised(magnitude(v));
         z_ss = steady_state(c, speed);
         viscous = along(v, (int32_t)gained(speed, c->viscous, 0));
     }
@@ -385,10 +347,10 @@ static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint16_t dt)
         return 0;
     }
     const normal_t distance = normalised(magnitude(dz));
-    const short_normal_t time = short_normalised(dt);
+    const normal_t time = normalised(dt);
     const uint16_t p = product(high(distance.mantissa), mantissa_16(c->damping));
-    return scaled(wide(p, reciprocal(time.mantissa)),
-                  c->damping.shift - 1 + distance.zeros - time.zeros);
+    return scaled(wide(p, reciprocal(high(time.mantissa))),
+                  c->damping.shift + 15 + distance.zeros - time.zeros);
 }
 
 /* sigma_0 z + 2^8 rest in lsb.f, to the nearest, saturating */
@@ -399,7 +361,7 @@ static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint16_t dt)
 */
 static int16_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
 {
-    const int32_t force = z / 256 + rest;
+    const int32_t force = along(z, (int32_t)(magnitude(z) / 256u)) + rest;
     const uint32_t p = part(magnitude(force), mantissa_16(c->output));
     const int shift = c->output.shift - 32; /* 1 at the least, since f_max fits */
     const uint32_t rounded = (shifted_down(p, shift - 1) + 1u) / 2u;
@@ -459,7 +421,7 @@ int16_t epf_q15_fss(const epf_q15_coeffs_t *coeffs, int16_t v)
     if (v == 0) {
         return 0;
     }
-    const int32_t z_ss = steady_state(coeffs, short_normalised((uint16_t)magnitude(v)));
+    const int32_t z_ss = steady_state(coeffs, normalised(magnitude(v)));
     return (int16_t)along(v, in_lsb(coeffs, z_ss, 0));
 }
 
