@@ -437,7 +437,7 @@ int32_t epf_q15_alpha(const epf_q15_coeffs_t *coeffs, int32_t z, int16_t v)
     if (v == 0 || zeta <= coeffs->z_ba) {
         return 0;
     }
-    return zeta < point.z_ss ? 16384 * half_sine(advance_in_span(coeffs, &point, zeta))
+    return zeta < point.z_ss ? INT32_C(16384) * half_sine(advance_in_span(coeffs, &point, zeta))
                              : STATE_LIMIT;
 }
 
