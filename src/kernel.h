@@ -156,11 +156,8 @@ static inline uint32_t shifted_down(uint32_t x, int shift)
 */
 static inline uint32_t scaled(uint32_t p, int shift)
 {
-    if (shift >= 32) {
-        return 0;
-    }
-    if (shift < 0) {
-        return TERM_MAX;
+    if (shift < 0 || 31 < shift) {
+        return shift < 0 ? TERM_MAX : 0;
     }
     const uint32_t x = shifted_down(p, shift);
     return x < TERM_MAX ? x : TERM_MAX;

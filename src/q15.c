@@ -17,16 +17,22 @@
     predicate valid_short_contact(epf_fixed_t *ep) = valid_contact(ep) && short_output(ep->coeffs);
 */
 
-/* a b. AVR's compiler would multiply 32 by 32 bits wherever it forgets how short the factors are. */
+/* AVR's compiler multiplies 32 by 32 bits wherever it sees that the factors were longer once */
 #ifdef __AVR__
-static OUT_OF_LINE uint32_t wide(uint16_t a, uint16_t b);
+#define FORGET_ORIGIN(x) __asm__("" : "+r"(x))
+#else
+#define FORGET_ORIGIN(x) (void)(x)
 #endif
+
+/* a b */
 /*@ assigns \nothing;
     ensures \result == a * b;
     ensures \result <= a * 65535 && \result <= 65535 * b;
 */
 static uint32_t wide(uint16_t a, uint16_t b)
 {
+    FORGET_ORIGIN(a);
+    FORGET_ORIGIN(b);
     return (uint32_t)a * b;
 }
 
@@ -60,7 +66,7 @@ static uint32_t part(uint32_t a, uint16_t b)
 }
 
 /*
- * About 2^31/m, from below, for 2^15 <= m < 2^16, without a division, which small cores do not have:
+ * About 2^31/m, and less, for 2^15 <= m < 2^16, without a division, which small cores do not have:
  * two steps of Newton's iteration, x (2 - m x/2^31), from a straight line within 1/17.
  */
 /*@ requires 32768 <= m;
@@ -101,12 +107,11 @@ static uint32_t inverse(uint16_t x)
     return shifted_down(reciprocal(high(m.mantissa)) * UINT32_C(65536), 31 - m.zeros);
 }
 
-/* a/x for 0 <= a, from the inverse of x; at most 1 */
+/* a/x for 0 <= a <= x, from the inverse of x, which is less than 2^32/x: so this is less than 1 */
 /*@ assigns \nothing; */
 static uint16_t quotient(uint16_t a, uint32_t inverse_of_x)
 {
-    const uint32_t q = part(inverse_of_x, a);
-    return q < ONE ? (uint16_t)q : ONE;
+    return (uint16_t)part(inverse_of_x, a);
 }
 
 /* A length below 2^30 in 16 bits, for inverse() and quotient() */
@@ -356,7 +361,7 @@ static uint32_t damping(const epf_fixed_coeffs_t *c, int32_t dz, uint16_t dt)
 */
 static int16_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
 {
-    const int32_t force = z / 256 + rest;
+    const int32_t force = along(z, (int32_t)(magnitude(z) / 256u)) + rest;
     const uint32_t p = part(magnitude(force), mantissa_16(c->output));
     const int shift = c->output.shift - 32; /* 1 at the least, since f_max fits */
     const uint32_t rounded = (shifted_down(p, shift - 1) + 1u) / 2u;
@@ -432,7 +437,7 @@ int32_t epf_q15_alpha(const epf_q15_coeffs_t *coeffs, int32_t z, int16_t v)
     if (v == 0 || zeta <= coeffs->z_ba) {
         return 0;
     }
-    return zeta < point.z_ss ? 16384 * half_sine(advance_in_span(coeffs, &point, zeta))
+    return zeta < point.z_ss ? INT32_C(16384) * half_sine(advance_in_span(coeffs, &point, zeta))
                              : STATE_LIMIT;
 }
 

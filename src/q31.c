@@ -12,6 +12,9 @@
 #define ONE UINT32_MAX
 
 /* floor(a b), of two fractions, or of an integer and a fraction */
+#ifdef __AVR__ /* long, where it stands in line */
+static OUT_OF_LINE uint32_t product(uint32_t a, uint32_t b);
+#endif
 /*@ assigns \nothing;
     ensures \result <= a && \result <= b;
     ensures 0 < a ==> \result < a; // strict progress
@@ -23,31 +26,24 @@ static uint32_t product(uint32_t a, uint32_t b)
     return (uint32_t)((uint64_t)a * b / 4294967296u);
 }
 
-/* Q30 to Q32, at most 1 */
+/* 2^32/m in Q30, from below and so less than 2, for 2^31 <= m < 2^32: three steps of Newton's
+   iteration, x (2 - m x), from a straight line within 1/17 */
 /*@ assigns \nothing; */
-static uint32_t from_q30(uint32_t x)
-{
-    return x < 1073741824u ? 4u * x : ONE;
-}
-
-/* 2^32/m in Q30, for 2^31 <= m < 2^32: three steps of Newton's iteration, x (2 - m x), from a
-   straight line within 1/17 */
-/*@ assigns \nothing; */
-static uint32_t inverse(uint32_t m)
+static inline uint32_t inverse(uint32_t m)
 {
     uint32_t x = 3031741620u - product(m, 2021161080u);
-    x = 4u * product(x, 2147483648u - product(m, x));
-    x = 4u * product(x, 2147483648u - product(m, x));
-    return 4u * product(x, 2147483648u - product(m, x));
+    x = 4u * product(x, 2147483647u - product(m, x));
+    x = 4u * product(x, 2147483647u - product(m, x));
+    return 4u * product(x, 2147483647u - product(m, x));
 }
 
-/* a/x for 0 <= a <= x, from the leading zeros of x and the inverse of what is left */
+/* a/x for 0 <= a < x, from below, of the leading zeros of x and the inverse of what is left */
 /*@ requires 0 <= zeros <= 31;
     assigns \nothing;
 */
 static uint32_t quotient(uint32_t a, uint32_t inverse_of_x, int zeros)
 {
-    return from_q30(product(a << zeros, inverse_of_x));
+    return 4u * product(a << zeros, inverse_of_x);
 }
 
 /* 2^power x times a gain, at most TERM_MAX */
@@ -72,7 +68,7 @@ static inline uint32_t lorentzian(uint64_t q)
     const uint64_t x = 4294967296u + q / 16u; /* 1 + q in Q32, at least 33 bits */
     const normal_t high = normalised((uint32_t)(x / 4294967296u));
     const int bits = 32 - high.zeros;
-    return from_q30(inverse((uint32_t)(x >> bits)) >> bits);
+    return 4u * (inverse(high.mantissa | (uint32_t)x >> bits) >> bits);
 }
 
 /* exp(-q), q in Q36: 2^-n times 2^-r, 0 <= r < 1, by a polynomial that is exact at both ends */
@@ -195,8 +191,8 @@ static uint32_t plastic_share(const epf_fixed_coeffs_t *c, const epf_fixed_point
     assigns \nothing;
     ensures zeta < \result <= point->z_ss && \result - zeta <= d;
 */
-static OUT_OF_LINE int32_t slip(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point,
-                                int32_t zeta, int32_t d)
+static int32_t slip(const epf_fixed_coeffs_t *c, const epf_fixed_point_t *point, int32_t zeta,
+                    int32_t d)
 {
     const uint32_t plastic = product((uint32_t)d, plastic_share(c, point, zeta));
     return psi(zeta, d, (int32_t)plastic, point->z_ss);
@@ -250,8 +246,8 @@ int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx)
     }
     const epf_fixed_coeffs_t *c = ep->coeffs;
     const epf_fixed_point_t *point = published_point(ep);
-    return dx > 0 ? move_to(ep, 1, next_along(c, point, ep->z, magnitude(dx)))
-                  : move_to(ep, -1, -next_along(c, point, -ep->z, magnitude(dx)));
+    const int32_t zeta = next_along(c, point, along(dx, ep->z), magnitude(dx));
+    return move_to(ep, dx > 0 ? 1 : -1, along(dx, zeta));
 }
 
 /*@ requires valid_body(ep);
@@ -308,8 +304,8 @@ static int32_t in_lsb(const epf_fixed_coeffs_t *c, int32_t z, int32_t rest)
 {
     const int64_t force = (int64_t)z + 256 * (int64_t)rest;
     const uint64_t p = (uint64_t)(force < 0 ? -force : force) * c->output.mantissa;
-    const uint64_t rounded = ((p >> (c->output.shift - 1)) + 1u) / 2u;
-    const int32_t most = rounded < INT32_MAX ? (int32_t)rounded : INT32_MAX;
+    const uint64_t twice = p >> (c->output.shift - 1);
+    const int32_t most = twice < UINT32_MAX ? (int32_t)(((uint32_t)twice + 1u) / 2u) : INT32_MAX;
     return force < 0 ? -most : most;
 }
 

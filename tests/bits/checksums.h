@@ -7,7 +7,7 @@
 #define EPF_TESTS_CHECKSUMS_H
 
 #define CHECKSUM_F32 0xf74b715du
-#define CHECKSUM_Q31 0x78ab7630u
+#define CHECKSUM_Q31 0xbc28ac99u
 #define CHECKSUM_Q15 0xeb68bde8u
 
 #endif
