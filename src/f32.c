@@ -81,7 +81,7 @@ static inline float exp_minus(float q)
 /* What f_ss(v) or z_ss(v) has beyond f_c or z_c: at rest all of the excess. NaN stays NaN. */
 static inline float stribeck(const epf_f32_coeffs_t *c, float excess, float v)
 {
-    const epf_stribeck_t form = linked(c->stribeck);
+    const epf_stribeck_t form = form_in_use(c->stribeck);
     if (form == EPF_STRIBECK_COULOMB) {
         return is_nan(v) ? v : v == 0.0f ? excess : 0.0f; /* (6) */
     }

@@ -90,7 +90,7 @@ const char *epf_status_text(epf_status_t status)
     case EPF_ERR_Z_BA:
         return "z_ba must be positive and below z_c = f_c/sigma_0";
     case EPF_ERR_STRIBECK:
-        return "stribeck must be one of epf_stribeck_t";
+        return "stribeck must be a form that this build has";
     case EPF_ERR_UPDATE:
         return "update must be a rule that this version has";
     case EPF_ERR_LSB_X:

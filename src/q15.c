@@ -2,7 +2,7 @@
 /*
  * The estimator on 16-bit signals, with products of 16 by 16 bits and no division: for cores that
  * have no more. Read next_along() for the update rule and epf_q15_force() for eq. (14). Fractions
- * are Q15, 2^15 is 1, where nothing else is said; the state keeps its 32 bits.
+ * are Q16, 2^16 is 1, where nothing else is said; the state keeps its 32 bits.
  */
 #include "epf/q15.h"
 
@@ -48,6 +48,7 @@ static uint16_t high(uint32_t x)
 /* floor(a b) */
 /*@ assigns \nothing;
     ensures \result <= a && \result <= b;
+    ensures 0 < a ==> \result < a;
 */
 static uint16_t product(uint16_t a, uint16_t b)
 {
@@ -161,10 +162,10 @@ static uint16_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t speed)
     const uint16_t r = (uint16_t)(ratio < 61440u ? ratio : 61440u);
     const uint32_t q = wide(r, r);
     /*@ assert q <= 61440 * 61440; */
-    if (linked(c->stribeck) == EPF_STRIBECK_COULOMB) {
+    if (form_in_use(c->stribeck) == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
     }
-    return linked(c->stribeck) == EPF_STRIBECK_GAUSSIAN ? gaussian(q)
+    return form_in_use(c->stribeck) == EPF_STRIBECK_GAUSSIAN ? gaussian(q)
                                                         : lorentzian(q); /* (7), (8) */
 }
 
@@ -410,7 +411,7 @@ int16_t epf_q15_output(const epf_q15_t *ep)
 */
 int32_t epf_q15_z(const epf_q15_t *ep)
 {
-    return ep->z;
+    return *(const volatile int32_t *)&ep->z;
 }
 
 /*@ requires valid_coeffs(coeffs) && short_output(coeffs);

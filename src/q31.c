@@ -11,10 +11,10 @@
 /* The fraction next to 1 stands for 1: no part of a displacement is ever all of it */
 #define ONE UINT32_MAX
 
-/* floor(a b), of two fractions, or of an integer and a fraction */
-#ifdef __AVR__ /* long, where it stands in line */
+#ifdef __AVR__ /* where it is too long to stand in line */
 static OUT_OF_LINE uint32_t product(uint32_t a, uint32_t b);
 #endif
+/* floor(a b), of two fractions, or of an integer and a fraction */
 /*@ assigns \nothing;
     ensures \result <= a && \result <= b;
     ensures 0 < a ==> \result < a; // strict progress
@@ -96,10 +96,10 @@ static inline uint32_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t spe
     const uint32_t ratio = gained(speed, c->v_s_inverse, 18); /* Q18 */
     const uint64_t q = (uint64_t)ratio * ratio;
     /*@ assert q <= TERM_MAX * TERM_MAX; */
-    if (linked(c->stribeck) == EPF_STRIBECK_COULOMB) {
+    if (form_in_use(c->stribeck) == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
     }
-    return linked(c->stribeck) == EPF_STRIBECK_GAUSSIAN ? gaussian(q)
+    return form_in_use(c->stribeck) == EPF_STRIBECK_GAUSSIAN ? gaussian(q)
                                                         : lorentzian(q); /* (7), (8) */
 }
 
@@ -350,7 +350,7 @@ int32_t epf_q31_output(const epf_q31_t *ep)
 */
 int32_t epf_q31_z(const epf_q31_t *ep)
 {
-    return ep->z;
+    return *(const volatile int32_t *)&ep->z;
 }
 
 /*@ requires valid_coeffs(coeffs);

@@ -7,7 +7,7 @@
 
 /* The form of f_ss(v); known to the compiler where the library is built for one form only */
 /*@ assigns \nothing; */
-static inline epf_stribeck_t linked(epf_stribeck_t form)
+static inline epf_stribeck_t form_in_use(epf_stribeck_t form)
 {
 #ifdef EPF_STRIBECK_ONLY
     (void)form;

@@ -6,7 +6,8 @@
 #   PRINTS  regular expression that the output must match
 #   UPDATE  file that is to become the output
 
-foreach(i RANGE ${CMAKE_ARGC})
+math(EXPR last "${CMAKE_ARGC} - 1")
+foreach(i RANGE ${last})
     if(DEFINED command)
         list(APPEND command ${CMAKE_ARGV${i}})
     elseif(CMAKE_ARGV${i} STREQUAL "--")

@@ -25,7 +25,7 @@
  *     anywhere               output                             one word, never torn on a 32-bit core
  *     a single control loop  step                               all of it in one call
  *
- * Three variants, the same calls and the same contexts; one source file each:
+ * Three variants, the same calls and the same contexts:
  *
  *     epf_f32_...   single precision, SI units: for cores with an FPU
  *     epf_q31_...   32-bit integers in units of yours: encoder counts in, actuator units out

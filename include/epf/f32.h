@@ -12,7 +12,8 @@
  * Promise. With valid coefficients, and whatever the inputs are:
  *  - every returned z obeys |z| <= z_max, and after any motion |z| <= max(|z before|, z_ss(v));
  *  - every returned force is finite;
- *  - a NaN is counted and changes nothing else, and one good sample after it is a good sample. A leap
+ *  - a NaN is counted and changes nothing else (but for reset it is 0), and one good sample after it is
+ *    a good sample. A leap
  *    is no NaN: it saturates the state, which the next motion or a reset then corrects.
  *
  * Contexts. Three may share one estimator without locks:
@@ -160,11 +161,11 @@ float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v);
  *
  * @param ep  estimator.
  * @param v   velocity, m/s. Its sign is used by the force, and only while dx = 0. Where it is infinite
- *            z_ss is that of the high-speed limit, and the viscous term saturates. NaN counts as
- *            rejected, and the last velocity stays.
+ *            z_ss is that of the high-speed limit, and the viscous term, if there is one, saturates.
+ *            NaN counts as rejected, and the last velocity stays.
  *
- * Context: velocity. Cost: 2 divisions with eq. (8), 1 with (6) and (7); 2 more for parameters whose
- * z_max^2 or z_ba^2 is near the ends of the range of float.
+ * Context: velocity. Cost: 2 divisions with eq. (8), 1 with (6) and (7); 2 more for parameters with
+ * which z_ss (z_ss - z_ba) leaves the range of float.
  */
 void epf_f32_set_velocity(epf_f32_t *ep, float v);
 
@@ -207,7 +208,7 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
  * @param dt  time over which the last displacement took place, s. Unless it is positive and finite
  *            it counts as rejected and the damping term is 0.
  * @return force in N; always finite: where it would not be, the damping and the viscous term saturate
- *         at FLT_MAX/4 each.
+ *         at FLT_MAX/4 each, so that it falls there.
  *
  * Publishes the force for epf_f32_output by one store of an aligned word.
  * Context: displacement. Cost: 1 division.

@@ -33,7 +33,7 @@
 extern "C" {
 #endif
 
-/** A positive real coefficient, mantissa 2^-shift with 2^23 <= mantissa < 2^24; or 0. */
+/** A positive real coefficient, mantissa 2^-shift with 2^23 <= mantissa < 2^24; less below 2^-33; or 0. */
 typedef struct {
     uint32_t mantissa;
     int8_t shift;

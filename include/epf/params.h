@@ -37,7 +37,7 @@ typedef enum {
     EPF_ERR_F_MAX,      /**< f_max is below f_c */
     EPF_ERR_V_S,        /**< v_s is not positive */
     EPF_ERR_Z_BA,       /**< z_ba is not between 0 and z_c = f_c/sigma_0 */
-    EPF_ERR_STRIBECK,   /**< stribeck is not an epf_stribeck_t */
+    EPF_ERR_STRIBECK,   /**< stribeck is not a form that this build has */
     EPF_ERR_UPDATE,     /**< update is not an update rule of this version */
     EPF_ERR_LSB_X,      /**< lsb.x is not positive, too coarse for z_ba or too fine for z_max */
     EPF_ERR_LSB_V,      /**< lsb.v is not positive, or far from v_s and sigma_2 */

@@ -53,7 +53,7 @@ typedef epf_fixed_t epf_q15_t;               /**< one contact; public: rejected 
  *
  *     #define SLIDE   1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 8e-6f, \
  *                     EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
- *     #define SIGNALS 1e-7f, 1e-6f, 1e-4f, 1e-5f   // 0.1 um, 1 um/s, 0.1 mN, 10 us
+ *     #define SIGNALS 1e-7f, 1e-7f, 1e-4f, 1e-5f   // 0.1 um, 0.1 um/s, 0.1 mN, 10 us
  *     static const epf_q15_coeffs_t slide = EPF_Q15_COEFFS(SLIDE, SIGNALS);
  *
  * The object must have static storage duration, or bad parameters are not refused but divide by

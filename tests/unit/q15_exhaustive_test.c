@@ -36,7 +36,7 @@ static void test_reciprocal_is_from_below_and_within_4_for_every_divisor(void)
     }
 }
 
-/* Whichever way it counts: a loop, the comparisons for small cores, or an instruction */
+/* Whichever way it counts: by comparisons, or by an instruction where there is one */
 static void test_normalised_moves_the_highest_bit_up_for_every_length(void)
 {
     for (int bit = 0; bit < 32; bit++) {
