@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is built for a core: the program to trace, and links whose size is measured."""
+"""What is built for a core: the programs to trace, and links whose size is measured."""
 
 import re
 import shutil
@@ -9,6 +9,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 TOOLCHAINS = HERE.parent.parent / "cmake" / "toolchains"
+
+PROGRAMS = ("fixed", "floating")
 
 Image = namedtuple("Image", "core folder link objdump emulator")
 Instruction = namedtuple("Instruction", "size name operands")
@@ -39,9 +41,9 @@ def build(core, scratch):
     return Image(core, folder, link.split(), objdump, emulator.split(";"))
 
 
-def instructions(image):
+def instructions(image, program):
     """The program as {address: Instruction}."""
-    text = run(image.objdump, "-d", image.folder / "program")
+    text = run(image.objdump, "-d", image.folder / program)
     found = {}
     for line in text.splitlines():
         match = re.match(r"\s*([0-9a-f]+):\t([0-9a-f ]+?)\s*\t(\S+)\t?(.*)", line)

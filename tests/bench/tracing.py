@@ -19,21 +19,21 @@ def build_tracers(scratch):
     images.run(*compiler, images.HERE / "trace_avr.c", "-o", scratch / "trace_avr", "-lsimavr")
 
 
-def command(image, trace):
+def command(image, program, trace):
     """The emulator's command line, with the tracer in it."""
     scratch = image.folder.parent
-    program = str(image.folder / "program")
+    program = str(image.folder / program)
     emulator, *options = image.emulator
     if emulator.startswith("qemu"):
         return [emulator, "-plugin", f"{scratch / 'trace_qemu.so'},trace={trace}", *options, program]
     return [str(scratch / "trace_avr"), trace, *options, program]
 
 
-def words(image):
+def words(image, program):
     """What the tracer writes, instruction by instruction."""
     reader, writer = os.pipe()
     try:
-        emulator = subprocess.Popen(command(image, f"/dev/fd/{writer}"), pass_fds=[writer],
+        emulator = subprocess.Popen(command(image, program, f"/dev/fd/{writer}"), pass_fds=[writer],
                                     stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
     except FileNotFoundError as error:
         raise images.Failure(f"{error.filename} is not installed") from error
@@ -43,13 +43,13 @@ def words(image):
         while chunk := pipe.read(1 << 20):
             yield from array("Q", chunk)
     if emulator.wait() != 0:
-        raise images.Failure(f"{image.core}: the program ended with {emulator.returncode}")
+        raise images.Failure(f"{image.core}: {program} ended with {emulator.returncode}")
 
 
-def landmarks(image):
+def landmarks(image, program):
     """{address: (form, path, function)}, one of the three set: what the names of functions say."""
     found = {}
-    for address, _, name in images.symbols(image, "program"):
+    for address, _, name in images.symbols(image, program):
         measured = MEASURED.fullmatch(name)
         if name.startswith("form_"):
             found[address] = (name[5:], None, None)
@@ -60,12 +60,12 @@ def landmarks(image):
     return found
 
 
-def calls(image, instructions):
+def calls(image, program, instructions):
     """(form, path, (variant, function), words) of every measured call, callees included."""
-    marks = landmarks(image)
+    marks = landmarks(image, program)
     form = path = "any"
     inside = function = end = before = None
-    for word in words(image):
+    for word in words(image, program):
         address = word & timing.ADDRESS
         if inside is not None:
             if address != end:
@@ -82,13 +82,19 @@ def calls(image, instructions):
 
 
 def measure(image):
+    """What measure_program() finds in all of them."""
+    return {key: value for program in images.PROGRAMS
+            for key, value in measure_program(image, program).items()}
+
+
+def measure_program(image, program):
     """{(variant, function, form, path, metric): value}, the largest of the calls of that kind."""
-    instructions = images.instructions(image)
+    instructions = images.instructions(image, program)
     meter = timing.Meter(image.core, instructions)
     is_avr = image.core.startswith("atmega")
     return_address = 3 if image.core == "atmega2560" else 2
     known, results = {}, {}
-    for form, path, (variant, function), executed in calls(image, instructions):
+    for form, path, (variant, function), executed in calls(image, program, instructions):
         if executed not in known:
             known[executed] = (timing.measure_avr(executed, instructions, return_address) if is_avr
                                else meter.measure(executed))

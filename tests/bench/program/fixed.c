@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* One of the two programs that are traced. They measure nothing: the tool counts what it sees executed. */
+#include "counted.h"
+#include "run.h"
+
+int main(void)
+{
+    counted_loop();
+    run_q31();
+    run_q15();
+    return 0;
+}
