@@ -166,7 +166,7 @@ static uint16_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t speed)
         return 0; /* (6) */
     }
     return form_in_use(c->stribeck) == EPF_STRIBECK_GAUSSIAN ? gaussian(q)
-                                                        : lorentzian(q); /* (7), (8) */
+                                                             : lorentzian(q); /* (7), (8) */
 }
 
 /* |z_ss(v)|, eq. (9), for |v| > 0 */

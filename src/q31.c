@@ -100,7 +100,7 @@ static inline uint32_t stribeck_weight(const epf_fixed_coeffs_t *c, normal_t spe
         return 0; /* (6) */
     }
     return form_in_use(c->stribeck) == EPF_STRIBECK_GAUSSIAN ? gaussian(q)
-                                                        : lorentzian(q); /* (7), (8) */
+                                                             : lorentzian(q); /* (7), (8) */
 }
 
 /* |z_ss(v)|, eq. (9), for |v| > 0 */

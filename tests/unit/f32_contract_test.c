@@ -231,6 +231,62 @@ static void test_bad_input_any_bits_leave_the_estimator_intact(void)
     TEST_ASSERT_FLOAT_WITHIN(1e-10f, 1.25e-5f, epf_f32_z(&ep));
 }
 
+/* Where it is after 1.5 z_c of motion at 100 v_s, as a share of z_c */
+static float slid(const epf_params_t *p, int in_one_call)
+{
+    epf_f32_coeffs_t coeffs;
+    epf_f32_t contact;
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&coeffs, p));
+    epf_f32_init(&contact, &coeffs);
+    for (int i = 0; i < 30; i++) {
+        if (in_one_call) {
+            (void)epf_f32_step(&contact, coeffs.z_c / 20.0f, 1e-3f, 1e-3f);
+        } else {
+            (void)epf_f32_update(&contact, coeffs.z_c / 20.0f, 1e-3f);
+        }
+    }
+    return epf_f32_z(&contact) / coeffs.z_c;
+}
+
+/* A contact knows no length but its own: one whose z_ss^2 overflows or vanishes does as a usual one */
+static void test_range_contacts_of_any_size_move_alike(void)
+{
+    epf_params_t usual = {
+        1e5f, 0.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 5e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
+    epf_params_t small = usual, large = usual;
+    small.f_c = large.f_c = 1e10f;
+    small.f_max = large.f_max = 1.1e10f;
+    small.sigma_0 = 1e35f;
+    small.z_ba = 0.5e-25f;
+    large.sigma_0 = 1e-10f;
+    large.z_ba = 0.5e20f;
+    for (int in_one_call = 0; in_one_call < 2; in_one_call++) {
+        const float expected = slid(&usual, in_one_call);
+        TEST_ASSERT_TRUE(expected > 0.9f && expected < 0.99f);
+        TEST_ASSERT_FLOAT_WITHIN(1e-5f, expected, slid(&small, in_one_call));
+        TEST_ASSERT_FLOAT_WITHIN(1e-5f, expected, slid(&large, in_one_call));
+    }
+}
+
+/* Numbers with which z_c + (z_max - z_c) is rounded up */
+static void test_coeffs_z_max_is_the_sum_that_z_ss_is_and_not_above(void)
+{
+    const epf_params_t p = {1.0f,
+                            0.0f,
+                            0.0f,
+                            1.93080974f,
+                            7.49889708f,
+                            1e-3f,
+                            1.0f,
+                            EPF_STRIBECK_LORENTZIAN,
+                            EPF_UPDATE_SATURATED};
+    epf_f32_coeffs_t c;
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&c, &p));
+    TEST_ASSERT_TRUE(c.z_c + c.z_excess == c.z_max);
+    TEST_ASSERT_TRUE(c.z_max <= p.f_max);
+    TEST_ASSERT_TRUE(epf_f32_fss(&c, 1e-20f) <= p.f_max);
+}
+
 static void test_rejected_never_wraps(void)
 {
     ep.rejected = UINT32_MAX - 1;
@@ -282,6 +338,8 @@ int main(void)
     RUN_TEST(test_bad_time_removes_the_damping_term_and_is_counted);
     RUN_TEST(test_bad_input_force_saturates_and_stays_finite);
     RUN_TEST(test_bad_input_any_bits_leave_the_estimator_intact);
+    RUN_TEST(test_range_contacts_of_any_size_move_alike);
+    RUN_TEST(test_coeffs_z_max_is_the_sum_that_z_ss_is_and_not_above);
     RUN_TEST(test_rejected_never_wraps);
     RUN_TEST(test_contexts_set_velocity_prepares_aside_and_publishes_last);
     RUN_TEST(test_contexts_estimators_share_constant_coefficients);
