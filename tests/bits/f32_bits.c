@@ -70,8 +70,8 @@ static float near_or_extreme(uint32_t *random, float x)
 
 static uint32_t add_coeffs(uint32_t checksum, const epf_f32_coeffs_t *c)
 {
-    const float values[] = {c->sigma_0, c->sigma_1, c->sigma_2, c->f_c,  c->f_max,
-                            c->inv_v_s, c->z_ba, c->z_c, c->z_excess, c->z_max};
+    const float values[] = {c->sigma_0, c->sigma_1, c->sigma_2, c->f_c,      c->f_max,
+                            c->inv_v_s, c->z_ba,    c->z_c,     c->z_excess, c->z_max};
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
         checksum = checksum_add_float(checksum, values[i]);
     }
