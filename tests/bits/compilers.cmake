@@ -8,7 +8,7 @@ set(fixed "${tests}/bits/fixed_bits.c" "${SOURCE_DIR}/src/fixed.c")
 set(sources_f32 "${SOURCE_DIR}/src/f32.c")
 set(sources_q31 "${tests}/theorems/q31_variant.c" ${fixed})
 set(sources_q15 "${tests}/theorems/q15_variant.c" ${fixed})
-set(flags -std=c99 -ffp-contract=off -I${SOURCE_DIR}/include -I${tests}/theorems
+set(flags -std=c99 -ffp-contract=off -I${SOURCE_DIR}/include -I${tests}/theorems -I${tests}/sequences
     -DUNITY_INCLUDE_DOUBLE -isystem ${UNITY_DIR})
 
 file(MAKE_DIRECTORY "${SCRATCH}")

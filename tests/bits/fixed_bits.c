@@ -5,6 +5,8 @@
 #include "integers.h"
 #include "unity.h"
 
+#include <stdio.h>
+
 enum { SAMPLES = 2048 };
 
 /* ---- inputs --------------------------------------------------------------------------------- */
@@ -87,29 +89,48 @@ static uint32_t add_sample(uint32_t checksum, const fixed_bits_t *bits, epf_fixe
     return checksum_add(checksum, ep->rejected);
 }
 
-void fixed_bits_compare_coeffs(const fixed_bits_t *bits)
+/* ---- the tests ------------------------------------------------------------------------------ */
+
+void setUp(void)
 {
-    for (int i = 0; i < bits->count; i++) {
-        const fixed_contact_t *contact = &bits->contacts[i];
+}
+
+void tearDown(void)
+{
+}
+
+static void test_coeffs_made_at_run_time_have_the_bits_of_the_macro(void)
+{
+    for (int i = 0; i < fixed_bits.count; i++) {
+        const fixed_contact_t *contact = &fixed_bits.contacts[i];
         epf_fixed_coeffs_t made;
-        TEST_ASSERT_EQUAL_INT(EPF_OK,
-                              bits->variant->coeffs_init(&made, &contact->params, &contact->lsb));
+        TEST_ASSERT_EQUAL_INT(
+            EPF_OK, fixed_bits.variant->coeffs_init(&made, &contact->params, &contact->lsb));
         TEST_ASSERT_EQUAL_HEX32(add_coeffs(CHECKSUM_OF_NOTHING, &contact->coeffs),
                                 add_coeffs(CHECKSUM_OF_NOTHING, &made));
     }
 }
 
-uint32_t fixed_bits_checksum(const fixed_bits_t *bits)
+static void test_outputs_have_the_bits_of_every_other_target(void)
 {
     uint32_t checksum = CHECKSUM_OF_NOTHING;
     uint32_t random = 1;
-    for (int i = 0; i < bits->count; i++) {
+    for (int i = 0; i < fixed_bits.count; i++) {
         epf_fixed_t ep;
-        bits->variant->init(&ep, &bits->contacts[i].coeffs);
+        fixed_bits.variant->init(&ep, &fixed_bits.contacts[i].coeffs);
         checksum = add_coeffs(checksum, ep.coeffs);
         for (unsigned k = 0; k < SAMPLES; k++) {
-            checksum = add_sample(checksum, bits, &ep, k, &random);
+            checksum = add_sample(checksum, &fixed_bits, &ep, k, &random);
         }
     }
-    return checksum;
+    printf("#define %s 0x%08lxu\n", fixed_bits.name, (unsigned long)checksum);
+    TEST_ASSERT_EQUAL_HEX32(fixed_bits.checksum, checksum);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_coeffs_made_at_run_time_have_the_bits_of_the_macro);
+    RUN_TEST(test_outputs_have_the_bits_of_every_other_target);
+    return UNITY_END() != 0;
 }

@@ -1,25 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "sequences.h"
 
+#include "integers.h"
+
 #include <float.h>
 #include <math.h> /* INFINITY only */
 
-static uint32_t random_word(sequence_t *q) /* xorshift32, Marsaglia */
-{
-    q->random ^= q->random << 13;
-    q->random ^= q->random >> 17;
-    q->random ^= q->random << 5;
-    return q->random;
-}
-
 double sequence_uniform(sequence_t *q, double low, double high)
 {
-    return low + (high - low) * ((double)(random_word(q) >> 8) * (1.0 / 16777216.0));
-}
-
-static uint32_t random_below(sequence_t *q, uint32_t bound)
-{
-    return random_word(q) % bound;
+    return low + (high - low) * ((double)(random_word(&q->random) >> 8) * (1.0 / 16777216.0));
 }
 
 /* Turns the oscillator by an angle whose tangent of the half is q->turn: exact but for rounding */
@@ -43,7 +32,7 @@ static sample_t moved_by(const sequence_t *q, double dx)
 static sample_t slow_reversals(sequence_t *q)
 {
     if (q->left-- == 0) {
-        q->left = 20 + random_below(q, 400);
+        q->left = 20 + random_below(&q->random, 400);
         q->step = (q->step < 0.0 ? 1.0 : -1.0) * sequence_uniform(q, 0.002, 0.05);
     }
     return moved_by(q, q->step);
@@ -64,8 +53,8 @@ static sample_t tremor(sequence_t *q)
 static sample_t encoder(sequence_t *q)
 {
     if (q->left-- == 0) {
-        q->left = random_below(q, 60);
-        q->step = ((double)random_below(q, 7) - 3.0) / 64.0; /* 0: a dwell */
+        q->left = random_below(&q->random, 60);
+        q->step = ((double)random_below(&q->random, 7) - 3.0) / 64.0; /* 0: a dwell */
     }
     return moved_by(q, q->step);
 }
@@ -78,14 +67,14 @@ static sample_t random_walk(sequence_t *q)
 static sample_t leaps(sequence_t *q)
 {
     static const double exact[] = {2.0, -2.0, 1.0, -1.0};
-    const uint32_t pick = random_below(q, 16);
+    const uint32_t pick = random_below(&q->random, 16);
     return moved_by(q, pick < 4 ? exact[pick] : sequence_uniform(q, -5.0, 5.0));
 }
 
 static sample_t stribeck_sweep(sequence_t *q)
 {
     if (q->left-- == 0) {
-        q->left = 300 + random_below(q, 300);
+        q->left = 300 + random_below(&q->random, 300);
         q->step = sequence_uniform(q, -0.1, 0.1);
     }
     q->turn = q->v > 1e3 ? 0.97 : q->v < 1e-3 ? 1.03 : q->turn; /* here the growth of |v| */
@@ -97,7 +86,7 @@ static sample_t sign_mismatch(sequence_t *q)
 {
     const double dx = sequence_uniform(q, -0.5, 0.5);
     const double v = sequence_uniform(q, -3.0, 3.0);
-    const uint32_t zero = random_below(q, 8);
+    const uint32_t zero = random_below(&q->random, 8);
     return (sample_t){zero == 0 ? 0.0 : dx, zero == 1 ? 0.0 : v, 1e-3};
 }
 
@@ -106,8 +95,9 @@ static double extreme(sequence_t *q)
     static const double magnitudes[] = {
         0.0, DBL_MIN, 1e-40, 1e-9,    5.9604644775390625e-8, 0.5, 1.0, 2.0,
         1e6, 1e30,    1e38,  DBL_MAX, (double)INFINITY};
-    const double magnitude = magnitudes[random_below(q, sizeof magnitudes / sizeof magnitudes[0])];
-    return random_below(q, 2) ? magnitude : -magnitude;
+    const double magnitude =
+        magnitudes[random_below(&q->random, sizeof magnitudes / sizeof magnitudes[0])];
+    return random_below(&q->random, 2) ? magnitude : -magnitude;
 }
 
 static sample_t extremes(sequence_t *q)
@@ -115,7 +105,7 @@ static sample_t extremes(sequence_t *q)
     static const double times[] = {1e-30, 1e-9, 1e-3, 1.0, 1e30};
     const double dx = extreme(q);
     const double v = extreme(q);
-    return (sample_t){dx, v, times[random_below(q, sizeof times / sizeof times[0])]};
+    return (sample_t){dx, v, times[random_below(&q->random, sizeof times / sizeof times[0])]};
 }
 
 static const struct {
