@@ -33,7 +33,7 @@
 extern "C" {
 #endif
 
-/** A positive real coefficient, mantissa 2^-shift with 2^23 <= mantissa < 2^24; less below 2^-33; or 0. */
+/** A real coefficient, mantissa 2^-shift, with 2^23 <= mantissa < 2^24, or less below 2^-33; or 0. */
 typedef struct {
     uint32_t mantissa;
     int8_t shift;
@@ -41,7 +41,8 @@ typedef struct {
 
 /**
  * What the estimator needs of the parameters, made once. Constant from then on: it may live in flash
- * and be shared by any number of estimators of either variant. Read it freely, change it never.
+ * and be shared by any number of estimators of the variant that it was made for, whose forces it
+ * fits. Read it freely, change it never.
  */
 typedef struct {
     int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 */

@@ -47,9 +47,9 @@ typedef enum {
 } epf_status_t;
 
 /**
- * The steady-state friction force f_ss(v). Where one form is enough, define EPF_STRIBECK_ONLY to it for
- * the library and for what includes it (CMake does, given -DEPF_STRIBECK_ONLY=...): the code of the
- * others is left out, and parameters with another form are refused.
+ * The steady-state friction force f_ss(v). Where one form is enough, define EPF_STRIBECK_ONLY to it
+ * for the library and for what includes it (CMake does, given -DEPF_STRIBECK_ONLY=...): the code of
+ * the others is left out, and parameters with another form are refused.
  */
 typedef enum {
     EPF_STRIBECK_LORENTZIAN = 0, /**< eq. (8): the default; one division, no exponential */

@@ -29,7 +29,7 @@
  * contexts run on one core: nothing here orders the memory of a second one.
  *
  * Cost. No division, no floating point but in coeffs_init, no heap, no static data, no unbounded loop.
- * Products, of factors within 17 bits, are stated per function.
+ * Products, all but one in advance of 16 by 16 bits, are stated per function.
  *
  * "Scaling and overflow" paragraphs number their sentences; fixed_contract_test.c has a test of each
  * number, for this variant and for q31.
