@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "epf/params.h"
 
+#include "epf/detail/constants.h"
+
 #include <math.h>
 #include <stddef.h>
 

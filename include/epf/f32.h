@@ -36,6 +36,7 @@
 #ifndef EPF_F32_H
 #define EPF_F32_H
 
+#include "epf/detail/constants.h"
 #include "epf/params.h"
 
 #include <stdint.h>
@@ -242,29 +243,6 @@ float epf_f32_output(const epf_f32_t *ep);
  * Context: as epf_f32_output. Cost: one load.
  */
 float epf_f32_z(const epf_f32_t *ep);
-
-/* EPF_F32_COEFFS with its arguments named; the check adds 0, or does not compile. */
-#define EPF_F32_COEFFS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update)   \
-    EPF_F32_DERIVE_(                                                                          \
-        (float)(sigma_0), (float)(sigma_1), (float)(sigma_2), (float)(f_c), (float)(f_max),   \
-        (float)(v_s), (float)(z_ba),                                                          \
-        (epf_stribeck_t)((stribeck) + EPF_REQUIRE_PARAMS_((float)(sigma_0), (float)(sigma_1), \
-                                                          (float)(sigma_2), (float)(f_c),     \
-                                                          (float)(f_max), (float)(v_s),       \
-                                                          (float)(z_ba), stribeck, update)))
-
-/* What both ways of making coefficients share. */
-#define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)               \
-    {                                                                                             \
-        (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), 1.0f / (v_s), (z_ba), (f_c) / (sigma_0), \
-            EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),                              \
-            (f_c) / (sigma_0) + EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),          \
-            (stribeck)                                                                            \
-    }
-
-/* z_max - z_c, rounded so that added to z_c it gives no more than z_max */
-#define EPF_F32_EXCESS_(z_c, z_max) \
-    (((z_max) - (z_c)) * ((z_c) + ((z_max) - (z_c)) <= (z_max) ? 1.0f : 1.0f - FLT_EPSILON / 2.0f))
 
 #ifdef __cplusplus
 }

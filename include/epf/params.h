@@ -19,8 +19,6 @@
 #ifndef EPF_PARAMS_H
 #define EPF_PARAMS_H
 
-#include <float.h>
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -127,39 +125,6 @@ float epf_sigma_1_limit(const epf_params_t *params, float v, float dt);
  * Context: any; the string is constant and lives for ever. Cost: one table look-up.
  */
 const char *epf_status_text(epf_status_t status);
-
-/*
- * The conditions, each written once: epf_params_check asks them at run time, the EPF_xxx_COEFFS
- * macros at compile time. They are written so that NaN fails them. Arguments are of type float.
- */
-#define EPF_FINITE_(x)            ((x) >= -FLT_MAX && (x) <= FLT_MAX)
-#define EPF_POSITIVE_(x)          ((x) >= FLT_MIN && (x) <= FLT_MAX)
-#define EPF_NOT_NEGATIVE_(x)      ((x) >= 0.0f && (x) <= FLT_MAX)
-#define EPF_F_MAX_OK_(f_c, f_max) ((f_max) >= (f_c) && (f_max) <= FLT_MAX)
-#define EPF_Z_BA_OK_(z_ba, z_c)   (EPF_POSITIVE_(z_ba) && (z_ba) < (z_c))
-#ifdef EPF_STRIBECK_ONLY
-#define EPF_STRIBECK_OK_(stribeck) ((unsigned)(stribeck) == (unsigned)EPF_STRIBECK_ONLY)
-#else
-#define EPF_STRIBECK_OK_(stribeck) ((unsigned)(stribeck) <= (unsigned)EPF_STRIBECK_COULOMB)
-#endif
-#define EPF_UPDATE_OK_(update) ((unsigned)(update) == (unsigned)EPF_UPDATE_SATURATED)
-#define EPF_RANGE_OK_(f_max, z_max, z_c, z_ba) \
-    ((f_max) <= FLT_MAX / 16.0f && (z_max) <= FLT_MAX / 16.0f && (z_c) - (z_ba) >= FLT_MIN)
-
-/*
- * 0 where the condition holds; where it does not, a division by zero, which no compiler accepts in
- * the initialiser of an object of static storage duration. The error shows the condition.
- */
-#define EPF_REQUIRE_(condition) (1 / ((condition) ? 1 : 0) - 1)
-
-/* All conditions of epf_params_check as one constant expression, 0 or an error. */
-#define EPF_REQUIRE_PARAMS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update) \
-    (EPF_REQUIRE_(EPF_POSITIVE_(sigma_0)) + EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_1)) +          \
-     EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_2)) + EPF_REQUIRE_(EPF_POSITIVE_(f_c)) +              \
-     EPF_REQUIRE_(EPF_F_MAX_OK_(f_c, f_max)) + EPF_REQUIRE_(EPF_POSITIVE_(v_s)) +               \
-     EPF_REQUIRE_(EPF_Z_BA_OK_(z_ba, (f_c) / (sigma_0))) +                                      \
-     EPF_REQUIRE_(EPF_STRIBECK_OK_(stribeck)) + EPF_REQUIRE_(EPF_UPDATE_OK_(update)) +          \
-     EPF_REQUIRE_(EPF_RANGE_OK_(f_max, (f_max) / (sigma_0), (f_c) / (sigma_0), z_ba)))
 
 #ifdef __cplusplus
 }
