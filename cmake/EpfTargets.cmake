@@ -26,8 +26,8 @@ endfunction()
 # The library, also for targets that compile it once more under other flags.
 function(epf_library_sources target)
     target_sources(${target} PRIVATE
+        ${PROJECT_SOURCE_DIR}/src/coeffs.c
         ${PROJECT_SOURCE_DIR}/src/f32.c
-        ${PROJECT_SOURCE_DIR}/src/fixed.c
         ${PROJECT_SOURCE_DIR}/src/params.c
         ${PROJECT_SOURCE_DIR}/src/q15.c
         ${PROJECT_SOURCE_DIR}/src/q31.c)

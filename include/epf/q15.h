@@ -37,14 +37,56 @@
 #ifndef EPF_Q15_H
 #define EPF_Q15_H
 
+#include "epf/detail/constants.h"
 #include "epf/fixed.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-typedef epf_fixed_coeffs_t epf_q15_coeffs_t; /**< see fixed.h; public: z_max, z_ba, z_shift */
-typedef epf_fixed_t epf_q15_t;               /**< one contact; public: rejected */
+/**
+ * What the estimator needs of the parameters, made once. Constant from then on: it may live in flash
+ * and be shared by any number of estimators. Public: z_max, z_ba, z_shift.
+ */
+typedef struct {
+    int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 */
+    int32_t z_c;             /**< f_c/sigma_0, u */
+    int32_t z_ba;            /**< break-away deflection, u; at least one count of displacement */
+    uint32_t unit;           /**< one count of displacement, u: 2^z_shift */
+    uint32_t ratio;          /**< |v| to |v|/v_s in Q10: 2^-16 min(|v|, ratio_limit) ratio */
+    uint16_t ratio_limit;    /**< 60 v_s, or as much as a velocity can be */
+    uint16_t leap;           /**< the smallest displacement of 2 z_max or more, counts, if it fits */
+    uint32_t viscous;        /**< |v| to sigma_2 |v| in 2^8 sigma_0 u, likewise */
+    uint16_t viscous_limit;  /**< where the viscous term saturates */
+    uint8_t viscous_shift;   /**< 3 to 31 */
+    int8_t damping_shift;    /**< weight of the leading bits of sigma_1/sigma_0, see damping_term() */
+    uint16_t damping;        /**< the leading bits */
+    uint16_t output;         /**< leading bits of 2^8 sigma_0 u in lsb.f */
+    uint8_t output_shift;    /**< 2^8 sigma_0 u is output 2^-(17 + output_shift) */
+    uint8_t z_shift;         /**< 0 to 29 */
+    epf_stribeck_t stribeck; /**< form of f_ss(v) */
+} epf_q15_coeffs_t;
+
+/** All that follows from the velocity alone. Private. */
+typedef struct {
+    int32_t z_ss;          /* |z_ss(v)|, u */
+    int32_t viscous;       /* sigma_2 v, 2^8 sigma_0 u */
+    uint16_t span_inverse; /* 2^31/(16 leading bits of the span), span = z_ss - z_ba */
+    uint16_t span_share;   /* span/z_ss in Q16 */
+    uint8_t span_zeros;    /* leading zeros of the span */
+} epf_q15_point_t;
+
+/** One contact. Allocate it anywhere, initialise it by epf_q15_init. Only `rejected` is public. */
+typedef struct {
+    const epf_q15_coeffs_t *coeffs;
+    int32_t z;                 /* z_k, u */
+    int32_t dz;                /* z_k - z_{k-1}, u */
+    int16_t force;             /* as last published, lsb.f */
+    uint16_t rejected;         /**< unusable values (dt = 0) since init; stays at UINT16_MAX */
+    int8_t direction;          /* sgn(dx_k) */
+    uint8_t published;         /* index of the published operating point */
+    epf_q15_point_t points[2]; /* the published one, and the one being prepared */
+} epf_q15_t;
 
 /**
  * Coefficients as a constant initialiser, equal to those of epf_q15_coeffs_init: they go to flash, no
@@ -59,7 +101,7 @@ typedef epf_fixed_t epf_q15_t;               /**< one contact; public: rejected 
  * The object must have static storage duration, or bad parameters are not refused but divide by
  * zero. In C++ declare it constexpr, for the same reason.
  */
-#define EPF_Q15_COEFFS(...) EPF_FIXED_COEFFS_(EPF_Q15_LARGEST_, __VA_ARGS__)
+#define EPF_Q15_COEFFS(...) EPF_FIXED_COEFFS_(EPF_Q15_DERIVE_, EPF_Q15_LARGEST_, __VA_ARGS__)
 
 /**
  * Makes coefficients at run time.

@@ -36,14 +36,59 @@
 #ifndef EPF_Q31_H
 #define EPF_Q31_H
 
+#include "epf/detail/constants.h"
 #include "epf/fixed.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-typedef epf_fixed_coeffs_t epf_q31_coeffs_t; /**< see fixed.h; public: z_max, z_ba, z_shift */
-typedef epf_fixed_t epf_q31_t;               /**< one contact; public: rejected */
+/** A gain x g = ((min(x, limit) << up) mantissa) 2^-32. Private. */
+typedef struct {
+    uint32_t mantissa, limit;
+    uint8_t up;
+} epf_q31_gain_t;
+
+/**
+ * What the estimator needs of the parameters, made once. Constant from then on: it may live in flash
+ * and be shared by any number of estimators. Public: z_max, z_ba, z_shift.
+ */
+typedef struct {
+    int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 */
+    int32_t z_c;             /**< f_c/sigma_0, u */
+    int32_t z_ba;            /**< break-away deflection, u; at least one count of displacement */
+    uint32_t unit;           /**< one count of displacement, u: 2^z_shift */
+    uint32_t leap;           /**< the smallest displacement of 2 z_max or more, counts */
+    epf_q31_gain_t ratio;    /**< |v| to |v|/v_s in Q20 */
+    epf_q31_gain_t viscous;  /**< |v| to sigma_2 |v| in 2^8 sigma_0 u */
+    uint32_t damping;        /**< leading bits of sigma_1/sigma_0 */
+    int8_t damping_shift;    /**< and their weight, see damping_term() */
+    uint32_t output;         /**< leading bits of sigma_0 u in lsb.f */
+    uint8_t output_shift;    /**< sigma_0 u is output 2^-output_shift */
+    uint8_t z_shift;         /**< 0 to 29 */
+    epf_stribeck_t stribeck; /**< form of f_ss(v) */
+} epf_q31_coeffs_t;
+
+/** All that follows from the velocity alone. Private. */
+typedef struct {
+    int32_t z_ss;          /* |z_ss(v)|, u */
+    int32_t viscous;       /* sigma_2 v, 2^8 sigma_0 u */
+    uint32_t span_inverse; /* 2^62/(span 2^span_zeros), span = z_ss - z_ba */
+    uint32_t span_share;   /* span/z_ss in Q32 */
+    uint8_t span_zeros;    /* leading zeros of the span */
+} epf_q31_point_t;
+
+/** One contact. Allocate it anywhere, initialise it by epf_q31_init. Only `rejected` is public. */
+typedef struct {
+    const epf_q31_coeffs_t *coeffs;
+    int32_t z;                 /* z_k, u */
+    int32_t dz;                /* z_k - z_{k-1}, u */
+    int32_t force;             /* as last published, lsb.f */
+    uint16_t rejected;         /**< unusable values (dt = 0) since init; stays at UINT16_MAX */
+    int8_t direction;          /* sgn(dx_k) */
+    uint8_t published;         /* index of the published operating point */
+    epf_q31_point_t points[2]; /* the published one, and the one being prepared */
+} epf_q31_t;
 
 /**
  * Coefficients as a constant initialiser, equal to those of epf_q31_coeffs_init: they go to flash, no
@@ -58,7 +103,7 @@ typedef epf_fixed_t epf_q31_t;               /**< one contact; public: rejected 
  * The object must have static storage duration, or bad parameters are not refused but divide by
  * zero. In C++ declare it constexpr, for the same reason.
  */
-#define EPF_Q31_COEFFS(...) EPF_FIXED_COEFFS_(EPF_Q31_LARGEST_, __VA_ARGS__)
+#define EPF_Q31_COEFFS(...) EPF_FIXED_COEFFS_(EPF_Q31_DERIVE_, EPF_Q31_LARGEST_, __VA_ARGS__)
 
 /**
  * Makes coefficients at run time.

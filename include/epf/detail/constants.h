@@ -6,10 +6,21 @@
 #ifndef EPF_DETAIL_CONSTANTS_H
 #define EPF_DETAIL_CONSTANTS_H
 
+#ifdef __GNUC__
+#pragma GCC system_header /* one line of context for a bad parameter, instead of every macro on the way */
+#endif
+
 #include "epf/params.h"
 
 #include <float.h>
 #include <stdint.h>
+
+/* A cast that C++ does not call old-fashioned */
+#ifdef __cplusplus
+#define EPF_CAST_(type, x) static_cast<type>(x)
+#else
+#define EPF_CAST_(type, x) ((type)(x))
+#endif
 
 /* ---- the conditions on the parameters ------------------------------------------------------ */
 
@@ -23,28 +34,67 @@
 #define EPF_F_MAX_OK_(f_c, f_max) ((f_max) >= (f_c) && (f_max) <= FLT_MAX)
 #define EPF_Z_BA_OK_(z_ba, z_c)   (EPF_POSITIVE_(z_ba) && (z_ba) < (z_c))
 #ifdef EPF_STRIBECK_ONLY
-#define EPF_STRIBECK_OK_(stribeck) ((unsigned)(stribeck) == (unsigned)EPF_STRIBECK_ONLY)
+#define EPF_STRIBECK_OK_(stribeck) \
+    (EPF_CAST_(unsigned, stribeck) == EPF_CAST_(unsigned, EPF_STRIBECK_ONLY))
 #else
-#define EPF_STRIBECK_OK_(stribeck) ((unsigned)(stribeck) <= (unsigned)EPF_STRIBECK_COULOMB)
+#define EPF_STRIBECK_OK_(stribeck) \
+    (EPF_CAST_(unsigned, stribeck) <= EPF_CAST_(unsigned, EPF_STRIBECK_COULOMB))
 #endif
-#define EPF_UPDATE_OK_(update) ((unsigned)(update) == (unsigned)EPF_UPDATE_SATURATED)
+#define EPF_UPDATE_OK_(update) \
+    (EPF_CAST_(unsigned, update) == EPF_CAST_(unsigned, EPF_UPDATE_SATURATED))
 #define EPF_RANGE_OK_(f_max, z_max, z_c, z_ba) \
     ((f_max) <= FLT_MAX / 16.0f && (z_max) <= FLT_MAX / 16.0f && (z_c) - (z_ba) >= FLT_MIN)
 
 /*
- * 0 where the condition holds; where it does not, a division by zero, which no compiler accepts in
- * the initialiser of an object of static storage duration. The error shows the condition.
+ * EPF_REQUIRE_(condition, cause) is 0 where the condition holds. Where it does not, the program does not
+ * compile, and the first line of the message names the cause. A condition compares floats, which the
+ * language does not count as an integer constant expression; compilers evaluate it all the same.
  */
-#define EPF_REQUIRE_(condition) (1 / ((condition) ? 1 : 0) - 1)
+#if defined(__cplusplus)
+extern "C++" {
+#define EPF_CAUSE_(cause)                  \
+    template <bool> struct epf_##cause;    \
+    template <> struct epf_##cause<true> { \
+        char holds;                        \
+    };
+EPF_CAUSE_(sigma_0_must_be_positive)
+EPF_CAUSE_(sigma_1_must_not_be_negative)
+EPF_CAUSE_(sigma_2_must_not_be_negative)
+EPF_CAUSE_(f_c_must_be_positive)
+EPF_CAUSE_(f_max_must_be_at_least_f_c)
+EPF_CAUSE_(v_s_must_be_positive)
+EPF_CAUSE_(z_ba_must_be_positive_and_below_z_c)
+EPF_CAUSE_(stribeck_must_be_a_form_of_this_build)
+EPF_CAUSE_(update_must_be_a_rule_of_this_version)
+EPF_CAUSE_(the_parameters_leave_the_range_of_float)
+EPF_CAUSE_(lsb_x_must_be_at_most_z_ba_and_not_far_too_fine)
+EPF_CAUSE_(lsb_v_must_be_positive_and_not_far_from_v_s)
+EPF_CAUSE_(lsb_f_must_be_at_most_f_max_which_must_fit)
+EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
+#undef EPF_CAUSE_
+}
+#define EPF_REQUIRE_(condition, cause) static_cast<int>(sizeof(epf_##cause<(condition)>) - 1u)
+#elif defined(__GNUC__)
+#define EPF_REQUIRE_(condition, cause) \
+    (EPF_CAST_(int,                    \
+               __extension__ sizeof(struct { int cause : (condition) ? 1 : -1; }) - sizeof(int)))
+#else /* a division by zero: no initialiser of an object of static storage duration */
+#define EPF_REQUIRE_(condition, cause) (1 / ((condition) ? 1 : 0) - 1)
+#endif
 
-/* All conditions of epf_params_check as one constant expression, 0 or an error. */
+/* All conditions of epf_params_check as one constant expression, 0 or an error */
 #define EPF_REQUIRE_PARAMS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update) \
-    (EPF_REQUIRE_(EPF_POSITIVE_(sigma_0)) + EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_1)) +          \
-     EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_2)) + EPF_REQUIRE_(EPF_POSITIVE_(f_c)) +              \
-     EPF_REQUIRE_(EPF_F_MAX_OK_(f_c, f_max)) + EPF_REQUIRE_(EPF_POSITIVE_(v_s)) +               \
-     EPF_REQUIRE_(EPF_Z_BA_OK_(z_ba, (f_c) / (sigma_0))) +                                      \
-     EPF_REQUIRE_(EPF_STRIBECK_OK_(stribeck)) + EPF_REQUIRE_(EPF_UPDATE_OK_(update)) +          \
-     EPF_REQUIRE_(EPF_RANGE_OK_(f_max, (f_max) / (sigma_0), (f_c) / (sigma_0), z_ba)))
+    (EPF_REQUIRE_(EPF_POSITIVE_(sigma_0), sigma_0_must_be_positive) +                           \
+     EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_1), sigma_1_must_not_be_negative) +                   \
+     EPF_REQUIRE_(EPF_NOT_NEGATIVE_(sigma_2), sigma_2_must_not_be_negative) +                   \
+     EPF_REQUIRE_(EPF_POSITIVE_(f_c), f_c_must_be_positive) +                                   \
+     EPF_REQUIRE_(EPF_F_MAX_OK_(f_c, f_max), f_max_must_be_at_least_f_c) +                      \
+     EPF_REQUIRE_(EPF_POSITIVE_(v_s), v_s_must_be_positive) +                                   \
+     EPF_REQUIRE_(EPF_Z_BA_OK_(z_ba, (f_c) / (sigma_0)), z_ba_must_be_positive_and_below_z_c) + \
+     EPF_REQUIRE_(EPF_STRIBECK_OK_(stribeck), stribeck_must_be_a_form_of_this_build) +          \
+     EPF_REQUIRE_(EPF_UPDATE_OK_(update), update_must_be_a_rule_of_this_version) +              \
+     EPF_REQUIRE_(EPF_RANGE_OK_(f_max, (f_max) / (sigma_0), (f_c) / (sigma_0), z_ba),           \
+                  the_parameters_leave_the_range_of_float))
 
 /* ---- coefficients of f32 ------------------------------------------------------------------- */
 
@@ -74,111 +124,180 @@
 /* ---- coefficients of q31 and q15 ----------------------------------------------------------- */
 
 /*
- * From SI units to integers, as constant expressions of floats. epf_fixed_coeffs_init comes to the
- * same integers without the repetitions; a test compares the two.
+ * From SI units to integers, as constant expressions of floats, and the same text at run time.
+ *
+ * Short names, because they are repeated: x is a positive float.
  */
 
-/* How many of the 8 powers of two from `low` on are at least x; are above x */
-#define EPF_REACHED_BY_(x, low)                                                \
-    (((x) <= 1.0f * (low)) + ((x) <= 2.0f * (low)) + ((x) <= 4.0f * (low)) +   \
-     ((x) <= 8.0f * (low)) + ((x) <= 16.0f * (low)) + ((x) <= 32.0f * (low)) + \
-     ((x) <= 64.0f * (low)) + ((x) <= 128.0f * (low)))
-#define EPF_ABOVE_(x, low)                                                                       \
-    (((x) < 1.0f * (low)) + ((x) < 2.0f * (low)) + ((x) < 4.0f * (low)) + ((x) < 8.0f * (low)) + \
-     ((x) < 16.0f * (low)) + ((x) < 32.0f * (low)) + ((x) < 64.0f * (low)) +                     \
-     ((x) < 128.0f * (low)))
+/* floor(log2 x) for 2^-32 <= x < 2^32; -32 below. Standard C can say it too, but only in half a
+   megabyte of comparisons. */
+#if defined(__GNUC__)
+#define EPF_EXPONENT_(x) \
+    (31 - __builtin_clzll(EPF_CAST_(unsigned long long, (x) * 4294967296.0f) | 1u))
+#else
+#define EPF_EXPONENT_(x) constant_coefficients_need_gcc_or_clang_so_call_coeffs_init
+#endif
 
-/* How often z_max, in counts, can be doubled and stay within 2^30 */
-#define EPF_Z_SHIFT_(z_max)                                                  \
-    (EPF_REACHED_BY_(z_max, 4194304.0f) + EPF_REACHED_BY_(z_max, 16384.0f) + \
-     EPF_REACHED_BY_(z_max, 64.0f) + EPF_REACHED_BY_(z_max, 0.25f))
+/* 2^n, 0 <= n <= 63; x 2^n, -63 <= n <= 63 */
+#define EPF_POWER_(n) EPF_CAST_(float, 1ULL << (n))
+#define EPF_SCALED_(x, n) \
+    ((n) < 0 ? (x) / EPF_POWER_((n) < 0 ? -(n) : 0) : (x)*EPF_POWER_((n) < 0 ? 0 : (n)))
 
-/* How often x can be doubled and stay below 2^24, up to 56 times */
-#define EPF_GAIN_SHIFT_(x)                                                   \
-    (EPF_ABOVE_(x, 65536.0f) + EPF_ABOVE_(x, 256.0f) + EPF_ABOVE_(x, 1.0f) + \
-     EPF_ABOVE_(x, 1.0f / 256.0f) + EPF_ABOVE_(x, 1.0f / 65536.0f) +         \
-     EPF_ABOVE_(x, 1.0f / 16777216.0f) + EPF_ABOVE_(x, 1.0f / 4294967296.0f))
+/* The float below 2^n */
+#define EPF_BELOW_POWER_(n) (EPF_POWER_(n) * 0.99999994f)
 
-/* x 2^power */
-#define EPF_GAIN_(x, power)                                    \
-    {                                                          \
-        (uint32_t)((x) * (float)(1ULL << EPF_GAIN_SHIFT_(x))), \
-            (int8_t)(EPF_GAIN_SHIFT_(x) - (power))             \
-    }
+/* The largest n with z_max 2^n <= 2^30, z_max in counts; the factor takes powers of two one down */
+#define EPF_Z_SHIFT_(z_max) (29 - EPF_EXPONENT_((z_max)*0.99999994f))
 
-/* Units from counts, kept below 2^30 so that the difference of two states fits 32 bits */
-#define EPF_UNITS_(counts, z_shift)                       \
-    ((counts) * (float)(1L << (z_shift)) < 1073741824.0f  \
-         ? (int32_t)((counts) * (float)(1L << (z_shift))) \
+/* Counts in units of 2^-z_shift, kept below 2^30 so that the difference of two states fits 32 bits */
+#define EPF_UNITS_(counts, z_shift)                         \
+    ((counts)*EPF_POWER_(z_shift) < 1073741824.0f           \
+         ? EPF_CAST_(int32_t, (counts)*EPF_POWER_(z_shift)) \
          : 1073741823)
 
-/* The quantities that become integers */
+/* The quantities that become integers, z_max and the like in counts */
 #define EPF_COUNTS_(force, sigma_0, lsb_x)           ((force) / (sigma_0) / (lsb_x))
 #define EPF_V_S_INVERSE_(v_s, lsb_v)                 ((lsb_v) / (v_s))
 #define EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v) ((sigma_2) / (sigma_0) * ((lsb_v) / (lsb_x)))
 #define EPF_DAMPING_(sigma_1, sigma_0, lsb_t)        ((sigma_1) / (sigma_0) / (lsb_t))
-#define EPF_OUTPUT_(sigma_0, lsb_x, lsb_f)           ((sigma_0) / (lsb_f) * ((lsb_x) / 256.0f))
 
-/* Their conditions, each written once, as in params.h */
+/* Their conditions, each written once */
 #define EPF_LSB_X_OK_(lsb_x, z_max, z_c, z_ba, z_shift)                    \
     (EPF_POSITIVE_(lsb_x) && (z_max) <= 1073741824.0f && (z_ba) >= 1.0f && \
      EPF_UNITS_(z_ba, z_shift) < EPF_UNITS_(z_c, z_shift))
 #define EPF_LSB_V_OK_(lsb_v, v_s_inverse, viscous)                    \
     (EPF_POSITIVE_(lsb_v) && (v_s_inverse) >= 1.0f / 8589934592.0f && \
      (v_s_inverse) < 16777216.0f && (viscous) < 16777216.0f)
-#define EPF_LSB_F_OK_(lsb_f, f_max, output, largest)                                        \
-    (EPF_POSITIVE_(lsb_f) && (f_max) / (lsb_f) >= 1.0f && (f_max) / (lsb_f) <= (largest) && \
-     (output) < 16777216.0f)
+#define EPF_LSB_F_OK_(lsb_f, f_max, largest) \
+    (EPF_POSITIVE_(lsb_f) && (f_max) / (lsb_f) >= 1.0f && (f_max) / (lsb_f) <= (largest))
 #define EPF_LSB_T_OK_(lsb_t, damping) (EPF_POSITIVE_(lsb_t) && (damping) < 16777216.0f)
 
 #define EPF_Q31_LARGEST_ 2147483520.0f /* the largest float that is an int32_t */
 #define EPF_Q15_LARGEST_ 32767.0f
 
+/* All of them as one constant expression, 0 or an error */
 #define EPF_REQUIRE_LSB_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, lsb_x, lsb_v, lsb_f, \
                          lsb_t, largest)                                                        \
     (EPF_REQUIRE_(EPF_LSB_X_OK_(lsb_x, EPF_COUNTS_(f_max, sigma_0, lsb_x),                      \
                                 EPF_COUNTS_(f_c, sigma_0, lsb_x), (z_ba) / (lsb_x),             \
-                                EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x)))) +            \
+                                EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x))),              \
+                  lsb_x_must_be_at_most_z_ba_and_not_far_too_fine) +                            \
      EPF_REQUIRE_(EPF_LSB_V_OK_(lsb_v, EPF_V_S_INVERSE_(v_s, lsb_v),                            \
-                                EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v))) +                \
-     EPF_REQUIRE_(EPF_LSB_F_OK_(lsb_f, f_max, EPF_OUTPUT_(sigma_0, lsb_x, lsb_f), largest)) +   \
-     EPF_REQUIRE_(EPF_LSB_T_OK_(lsb_t, EPF_DAMPING_(sigma_1, sigma_0, lsb_t))))
+                                EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v)),                  \
+                  lsb_v_must_be_positive_and_not_far_from_v_s) +                                \
+     EPF_REQUIRE_(EPF_LSB_F_OK_(lsb_f, f_max, largest),                                         \
+                  lsb_f_must_be_at_most_f_max_which_must_fit) +                                 \
+     EPF_REQUIRE_(EPF_LSB_T_OK_(lsb_t, EPF_DAMPING_(sigma_1, sigma_0, lsb_t)),                  \
+                  lsb_t_must_be_positive_and_not_far_too_fine))
 
-#define EPF_LEAP_(z_max, z_shift) (((2u * (uint32_t)(z_max)-1u) >> (z_shift)) + 1u)
+/* The smallest displacement of 2 z_max or more, in counts */
+#define EPF_LEAP_(z_max, z_shift) (((2u * EPF_CAST_(uint32_t, z_max) - 1u) >> (z_shift)) + 1u)
 
-#define EPF_FIXED_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, lsb_x,      \
-                          lsb_v, lsb_f, lsb_t)                                                    \
-    EPF_FIXED_SHIFTED_(EPF_COUNTS_(f_max, sigma_0, lsb_x), EPF_COUNTS_(f_c, sigma_0, lsb_x),      \
-                       (z_ba) / (lsb_x), EPF_V_S_INVERSE_(v_s, lsb_v),                            \
-                       EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v),                              \
-                       EPF_DAMPING_(sigma_1, sigma_0, lsb_t), EPF_OUTPUT_(sigma_0, lsb_x, lsb_f), \
-                       stribeck, EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x)))
+/* The leading bits of x, so many of them that the highest weighs 2^EPF_EXPONENT_(x) */
+#define EPF_LEADING_(type, x, bits) EPF_CAST_(type, EPF_SCALED_(x, (bits)-1 - EPF_EXPONENT_(x)))
 
-/* From z_max, z_c, z_ba in counts, and gains per count */
-#define EPF_FIXED_SHIFTED_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, output, stribeck,  \
-                           z_shift)                                                            \
-    {                                                                                          \
-        EPF_UNITS_(z_max, z_shift), EPF_UNITS_(z_c, z_shift), EPF_UNITS_(z_ba, z_shift),       \
-            (uint32_t)1 << (z_shift), EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift),          \
-            EPF_GAIN_(v_s_inverse, 0), EPF_GAIN_(viscous, (z_shift)-8), EPF_GAIN_(damping, 0), \
-            EPF_GAIN_(output, 8 - (z_shift)), (uint8_t)(z_shift), (stribeck)                   \
+/*
+ * The gain g = x 2^power with a limit, so that what it is applied to need not be normalised: all of it
+ * stays below 2^top.
+ *
+ * For epf_q31 |v| g is ((min(|v|, limit) << up) mantissa) 2^-32.
+ */
+#define EPF_Q31_GAIN_(x, power, top)                                                        \
+    {                                                                                       \
+        EPF_CAST_(uint32_t, EPF_GAIN_EXPONENT_(x, power) < (top)                            \
+                                ? EPF_SCALED_(x, (power) + 32 - EPF_Q31_UP_(x, power, top)) \
+                                : EPF_BELOW_POWER_((top) + 1)),                             \
+            EPF_CAST_(uint32_t, EPF_Q31_UP_(x, power, top) == 0 ? 2147483648.0f             \
+                                : EPF_GAIN_EXPONENT_(x, power) < (top)                      \
+                                    ? EPF_BELOW_POWER_((top) - (power)) / (x)               \
+                                    : 1.0f),                                                \
+            EPF_CAST_(uint8_t, EPF_Q31_UP_(x, power, top))                                  \
+    }
+#define EPF_GAIN_EXPONENT_(x, power) (EPF_EXPONENT_(x) + (power))
+#define EPF_Q31_UP_(x, power, top)                  \
+    (EPF_GAIN_EXPONENT_(x, power) >= (top)     ? 31 \
+     : EPF_GAIN_EXPONENT_(x, power) < (top)-31 ? 0  \
+                                               : EPF_GAIN_EXPONENT_(x, power) + 32 - (top))
+
+/* For epf_q15 it is (min(|v|, limit) mantissa) 2^-shift, in 32 bits, and top is 28. Three members. */
+#define EPF_Q15_GAIN_(x, power)                                                  \
+    EPF_CAST_(uint32_t, EPF_GAIN_EXPONENT_(x, power) < 28                        \
+                            ? EPF_SCALED_(x, (power) + EPF_Q15_SHIFT_(x, power)) \
+                            : EPF_BELOW_POWER_(31)),                             \
+        EPF_CAST_(uint16_t, EPF_GAIN_EXPONENT_(x, power) < 13 ? 32768.0f         \
+                            : EPF_GAIN_EXPONENT_(x, power) < 28                  \
+                                ? EPF_BELOW_POWER_(28 - (power)) / (x)           \
+                                : 1.0f),                                         \
+        EPF_CAST_(uint8_t, EPF_Q15_SHIFT_(x, power))
+#define EPF_Q15_SHIFT_(x, power)               \
+    (EPF_GAIN_EXPONENT_(x, power) > 12    ? 3  \
+     : EPF_GAIN_EXPONENT_(x, power) < -16 ? 31 \
+                                          : 15 - EPF_GAIN_EXPONENT_(x, power))
+
+/* |v|/v_s for epf_q15: (min(|v|, limit) mantissa) 2^-16 in Q10, up to 60. Two members. */
+#define EPF_Q15_RATIO_(x)                                           \
+    EPF_CAST_(uint32_t, ((x) < 60.0f ? (x) : 60.0f) * 67108864.0f), \
+        EPF_CAST_(uint16_t, (x)*32768.0f <= 60.0f ? 32768.0f        \
+                            : (x) < 60.0f         ? 60.0f / (x)     \
+                                                  : 1.0f)
+
+/*
+ * The members of the coefficients, in their order: from z_max, z_c, z_ba in counts; lsb.v/v_s; the viscous
+ * force of one lsb.v in sigma_0 lsb.x; sigma_1/sigma_0 in lsb.t; f_max in lsb.f.
+ */
+#define EPF_Q31_DERIVE_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, f_max, stribeck, z_shift) \
+    {                                                                                              \
+        EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift),                                             \
+            EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift), EPF_Q31_GAIN_(v_s_inverse, 20, 30),    \
+            EPF_Q31_GAIN_(viscous, (z_shift)-8, 28), EPF_LEADING_(uint32_t, damping, 32),          \
+            EPF_CAST_(int8_t, EPF_EXPONENT_(damping) - 37),                                        \
+            EPF_LEADING_(uint32_t, (f_max) / (z_max), 24),                                         \
+            EPF_CAST_(uint8_t, 23 + (z_shift)-EPF_EXPONENT_((f_max) / (z_max))),                   \
+            EPF_CAST_(uint8_t, z_shift), (stribeck)                                                \
     }
 
-/* Arguments: the fields of epf_params_t, then those of epf_lsb_t, in their order */
-#define EPF_FIXED_COEFFS_(largest, ...) EPF_FIXED_COEFFS_NAMED_(largest, __VA_ARGS__)
-#define EPF_FIXED_COEFFS_NAMED_(largest, sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba,         \
-                                stribeck, update, lsb_x, lsb_v, lsb_f, lsb_t)                      \
-    EPF_FIXED_DERIVE_(                                                                             \
-        (float)(sigma_0), (float)(sigma_1), (float)(sigma_2), (float)(f_c), (float)(f_max),        \
-        (float)(v_s), (float)(z_ba),                                                               \
-        (epf_stribeck_t)((stribeck) +                                                              \
-                         EPF_REQUIRE_PARAMS_((float)(sigma_0), (float)(sigma_1), (float)(sigma_2), \
-                                             (float)(f_c), (float)(f_max), (float)(v_s),           \
-                                             (float)(z_ba), stribeck, update) +                    \
-                         EPF_REQUIRE_LSB_((float)(sigma_0), (float)(sigma_1), (float)(sigma_2),    \
-                                          (float)(f_c), (float)(f_max), (float)(v_s),              \
-                                          (float)(z_ba), (float)(lsb_x), (float)(lsb_v),           \
-                                          (float)(lsb_f), (float)(lsb_t), largest)),               \
-        (float)(lsb_x), (float)(lsb_v), (float)(lsb_f), (float)(lsb_t))
+#define EPF_Q15_DERIVE_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, f_max, stribeck, z_shift) \
+    {                                                                                              \
+        EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift), EPF_Q15_RATIO_(v_s_inverse),                \
+            EPF_Q15_LEAP_(EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift)),                         \
+            EPF_Q15_GAIN_(viscous, (z_shift)-8), EPF_CAST_(int8_t, EPF_EXPONENT_(damping) - 22),   \
+            EPF_LEADING_(uint16_t, damping, 16), EPF_LEADING_(uint16_t, (f_max) / (z_max), 16),    \
+            EPF_CAST_(uint8_t, (z_shift)-10 - EPF_EXPONENT_((f_max) / (z_max))),                   \
+            EPF_CAST_(uint8_t, z_shift), (stribeck)                                                \
+    }
+
+#define EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift)                                \
+    EPF_UNITS_(z_max, z_shift), EPF_UNITS_(z_c, z_shift), EPF_UNITS_(z_ba, z_shift), \
+        EPF_CAST_(uint32_t, 1) << (z_shift)
+
+#define EPF_Q15_LEAP_(leap) EPF_CAST_(uint16_t, (leap) < 65535u ? (leap) : 65535u)
+
+/* From SI units to the arguments of a DERIVE */
+#define EPF_FIXED_DERIVE_(derive, sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck,      \
+                          lsb_x, lsb_v, lsb_f, lsb_t)                                              \
+    derive(EPF_COUNTS_(f_max, sigma_0, lsb_x), EPF_COUNTS_(f_c, sigma_0, lsb_x), (z_ba) / (lsb_x), \
+           EPF_V_S_INVERSE_(v_s, lsb_v), EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v),             \
+           EPF_DAMPING_(sigma_1, sigma_0, lsb_t), (f_max) / (lsb_f), stribeck,                     \
+           EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x)))
+
+/* Checked, with every number a float: the fields of epf_params_t, then those of epf_lsb_t, in their order */
+#define EPF_FIXED_COEFFS_(derive, largest, ...) EPF_FIXED_NAMED_(derive, largest, __VA_ARGS__)
+#define EPF_FIXED_NAMED_(derive, largest, sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba,       \
+                         stribeck, update, lsb_x, lsb_v, lsb_f, lsb_t)                            \
+    EPF_FIXED_CHECKED_(derive, largest, EPF_CAST_(float, sigma_0), EPF_CAST_(float, sigma_1),     \
+                       EPF_CAST_(float, sigma_2), EPF_CAST_(float, f_c), EPF_CAST_(float, f_max), \
+                       EPF_CAST_(float, v_s), EPF_CAST_(float, z_ba), stribeck, update,           \
+                       EPF_CAST_(float, lsb_x), EPF_CAST_(float, lsb_v), EPF_CAST_(float, lsb_f), \
+                       EPF_CAST_(float, lsb_t))
+#define EPF_FIXED_CHECKED_(derive, largest, sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba,     \
+                           stribeck, update, lsb_x, lsb_v, lsb_f, lsb_t)                          \
+    EPF_FIXED_DERIVE_(derive, sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba,                   \
+                      EPF_CAST_(epf_stribeck_t,                                                   \
+                                (stribeck) +                                                      \
+                                    EPF_REQUIRE_PARAMS_(sigma_0, sigma_1, sigma_2, f_c, f_max,    \
+                                                        v_s, z_ba, stribeck, update) +            \
+                                    EPF_REQUIRE_LSB_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s,  \
+                                                     z_ba, lsb_x, lsb_v, lsb_f, lsb_t, largest)), \
+                      lsb_x, lsb_v, lsb_f, lsb_t)
 
 #endif

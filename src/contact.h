@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * One contact on integers: eqs. (9) and (12) to (14), and the public functions, for both fixed-point
+ * variants. Included by q31.c and by q15.c after the arithmetic of the variant, whose functions it calls:
+ *
+ *     stribeck_weight(c, speed)            eqs. (6) to (8), without f_c
+ *     viscous_term(c, speed)               sigma_2 |v|
+ *     point_of(c, z_ss, viscous)           what advance needs of z_ss so that it need not divide
+ *     advance_in_span(point, beyond)       u, how far z_ba + beyond is from z_ba to z_ss
+ *     half_sine(u)                         eq. (10)
+ *     product(a, b), part(x, a)            of fractions; of an integer and a fraction
+ *     inverse_of_time(dt)                  1/dt
+ *     in_lsb(c, z, rest)                   the force in lsb.f
+ *
+ * With s = sgn dx: zeta = s z_{k-1}, zeta' = s z_k, d = |dx| > 0, dzeta = zeta' - zeta, dw = d - dzeta.
+ */
+#include "guard.h"
+#include "saturated.h"
+
+#include <stddef.h>
+
+/* ---- steady state: eq. (9) ------------------------------------------------------------------ */
+
+/* |z_ss(v)| for |v| > 0 */
+/*@ requires valid_coeffs(c);
+    requires 0 < speed <= SIGNAL_MAX + 1;
+    assigns \nothing;
+    ensures c->z_c <= \result <= c->z_max;
+*/
+static inline int32_t steady_state(const coeffs_t *c, uint32_t speed)
+{
+    return c->z_c + (int32_t)part((uint32_t)(c->z_max - c->z_c), stribeck_weight(c, speed));
+}
+
+/* All that follows from the velocity */
+/*@ requires valid_coeffs(c);
+    assigns \nothing;
+    ensures c->z_c <= \result.z_ss <= c->z_max;
+    ensures -TERM_MAX <= \result.viscous <= TERM_MAX;
+    ensures \result.span_zeros <= 31;
+    ensures v > 0 ==> \result.viscous >= 0;
+    ensures v == 0 ==> \result.viscous == 0 && \result.z_ss == c->z_max;
+    ensures v < 0 ==> \result.viscous <= 0;
+*/
+static inline point_t operating_point(const coeffs_t *c, signal_t v)
+{
+    if (v == 0) {
+        return point_of(c, c->z_max, 0);
+    }
+    const uint32_t speed = magnitude(v);
+    return point_of(c, steady_state(c, speed), along(v, (int32_t)viscous_term(c, speed)));
+}
+
+/* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
+
+/* alpha zeta/z_ss for zeta = z_ba + beyond; with u the share of the span, zeta/z_ss is
+   1 - (1 - u) span/z_ss */
+/*@ requires \valid_read(point) && point->span_zeros <= 31;
+    requires 0 < beyond < STATE_LIMIT;
+    assigns \nothing;
+*/
+static PLASTIC_SHARE_INLINE fraction_t plastic_share(const point_t *point, int32_t beyond)
+{
+    const fraction_t u = advance_in_span(point, beyond);
+    const fraction_t short_of = product((fraction_t)(ONE - u), point->span_share);
+    return product(half_sine(u), (fraction_t)(ONE - short_of));
+}
+
+/* dzeta for so many counts of displacement, more than 0, in the direction in which z is zeta */
+/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, point);
+    requires -c->z_max <= zeta <= c->z_max;
+    requires 0 < counts <= SIGNAL_MAX + 1;
+    assigns \nothing;
+
+    // Theorem 1: the state is bounded
+    ensures -c->z_max <= zeta + \result <= point->z_ss;
+    // Lemma 1: below z_ss the deflection changes by between nothing and the displacement, and
+    // strictly: Theorem 2
+    ensures zeta < point->z_ss ==> 0 < \result <= counts * c->unit;
+    ensures zeta >= point->z_ss ==> zeta + \result == point->z_ss;
+    // Lemma 2: plastic displacement has the direction of the motion, and needs more than z_ba
+    ensures counts * c->unit - \result >= 0;
+    ensures counts * c->unit - \result > 0 ==> zeta + \result > c->z_ba;
+    // The elastic identity, to the unit: no drift
+    ensures zeta + counts * c->unit <= c->z_ba ==> \result == counts * c->unit;
+    // Theorem 2: a displacement of 2 z_max arrives at once
+    ensures counts * c->unit >= 2 * c->z_max ==> zeta + \result == point->z_ss;
+*/
+static inline int32_t deflection(const coeffs_t *c, const point_t *point, int32_t zeta,
+                                 uint32_t counts)
+{
+    const int32_t gap = point->z_ss - zeta;
+    /*@ assert counts < c->leap ==> counts * c->unit <= (c->leap - 1) * c->unit; */
+    /*@ assert counts >= c->leap ==> counts * c->unit >= c->leap * c->unit; */
+    if (gap <= 0 || counts >= c->leap) {
+        return gap; /* case 1, or a displacement of 2 z_max */
+    }
+    const int32_t d = (int32_t)(counts * c->unit);
+    /*@ assert d == counts * c->unit && 0 < d; */
+    const int32_t beyond = zeta - c->z_ba;
+    const uint32_t plastic = beyond > 0 ? part((uint32_t)d, plastic_share(point, beyond)) : 0;
+    return saturated(gap, d, (int32_t)plastic);
+}
+
+/* What a displacement leaves: z_k, dz_k = z_k - z_{k-1}, and sgn dx_k */
+typedef struct {
+    int32_t z, dz;
+    int8_t direction;
+} motion_t;
+
+/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, point);
+    requires -c->z_max <= z <= c->z_max;
+    assigns \nothing;
+    ensures valid_motion(c, \result.z, \result.dz, \result.direction);
+    ensures dx == 0 ==> \result.z == z;
+*/
+static inline motion_t moved(const coeffs_t *c, const point_t *point, int32_t z, signal_t dx)
+{
+    if (dx == 0) {
+        return (motion_t){z, 0, 0};
+    }
+    const int32_t dz = along(dx, deflection(c, point, along(dx, z), magnitude(dx)));
+    return (motion_t){z + dz, dz, dx > 0 ? 1 : -1};
+}
+
+/*@ requires \valid(ep) && \valid_read(motion) && \separated(ep, motion);
+    assigns ep->z, ep->dz, ep->direction;
+    ensures ep->z == motion->z && ep->dz == motion->dz && ep->direction == motion->direction;
+*/
+static inline void keep(contact_t *ep, const motion_t *motion)
+{
+    ep->z = motion->z;
+    ep->dz = motion->dz;
+    ep->direction = motion->direction;
+}
+
+/* ---- the force: eq. (14) -------------------------------------------------------------------- */
+
+/* |sigma_1 dz/dt| in units of 2^8 sigma_0 u, rounded down, at most TERM_MAX */
+/*@ requires valid_coeffs(c);
+    requires 0 < dt;
+    assigns \nothing;
+    ensures \result <= TERM_MAX;
+*/
+static inline uint32_t damping_term(const coeffs_t *c, uint32_t dz, duration_t dt)
+{
+    const inverse_t inverse = inverse_of_time(dt);
+    const int shift = c->damping_shift + inverse.zeros;
+    if (shift > 0) {
+        if (dz >> (32 - shift) != 0) {
+            return TERM_MAX; /* 2^29 at the least: both factors below are 1/2 or more */
+        }
+        dz <<= shift;
+    }
+    const uint32_t p = part(part(dz, c->damping), inverse.mantissa);
+    const uint32_t term = shift >= 0 ? p : shift > -32 ? shifted_down(p, -shift) : 0;
+    return term < TERM_MAX ? term : TERM_MAX;
+}
+
+/* The terms of (14) beyond sigma_0 z, signed, in units of 2^8 sigma_0 u */
+/*@ requires valid_coeffs(c);
+    requires \valid_read(motion) && valid_motion(c, motion->z, motion->dz, motion->direction);
+    requires -TERM_MAX <= viscous <= TERM_MAX && damping <= TERM_MAX;
+    assigns \nothing;
+    ensures -2 * TERM_MAX <= \result <= 2 * TERM_MAX;
+    ensures motion->direction == 0 ==> \result == viscous;
+    // Theorem 3 in case 1, in the signs of the signals
+    ensures motion->direction * motion->dz < 0 ==>
+              motion->direction * (motion->z + 256 * \result) > 0;
+    // in the other cases both terms go along the motion
+    ensures motion->direction * motion->dz >= 0 ==> motion->direction * \result >= 0;
+*/
+static inline int32_t dissipative_terms(const coeffs_t *c, const motion_t *motion, int32_t viscous,
+                                        uint32_t damping)
+{
+    (void)c; /* for the contract */
+    const int s = motion->direction;
+    if (s == 0) {
+        return viscous; /* v' = v */
+    }
+    return along(
+        s, guarded_sum(along(s, motion->z), along(s, motion->dz), magnitude(viscous), damping));
+}
+
+/*@ requires valid_coeffs(c);
+    requires \valid_read(motion) && valid_motion(c, motion->z, motion->dz, motion->direction);
+    requires -TERM_MAX <= viscous <= TERM_MAX;
+    assigns \nothing;
+    ensures -SIGNAL_MAX <= \result <= SIGNAL_MAX;
+*/
+static inline signal_t force_of(const coeffs_t *c, const motion_t *motion, int32_t viscous,
+                                duration_t dt)
+{
+    const uint32_t damping = dt != 0 ? damping_term(c, magnitude(motion->dz), dt) : 0;
+    return in_lsb(c, motion->z, dissipative_terms(c, motion, viscous, damping));
+}
+
+/* A time of 0 is counted; the counter saturates, so that it never decreases */
+/*@ requires \valid(ep);
+    assigns ep->rejected;
+    ensures ep->rejected >= \old(ep->rejected);
+*/
+static inline void count_unusable(contact_t *ep, duration_t dt)
+{
+    if (dt == 0 && ep->rejected != UINT16_MAX) {
+        ep->rejected++;
+    }
+}
+
+/* ---- the public functions ------------------------------------------------------------------- */
+
+/*@ requires valid_contact(ep);
+    assigns ep->z, ep->dz, ep->direction;
+    // Theorem 1: the state is bounded, by every operating point
+    ensures valid_contact(ep);
+    ensures \result == ep->z;
+    ensures dx == 0 ==> ep->z == \old(ep->z);
+*/
+int32_t EPF(advance)(contact_t *ep, signal_t dx)
+{
+    const motion_t motion = moved(ep->coeffs, published_point(ep), ep->z, dx);
+    keep(ep, &motion);
+    return motion.z;
+}
+
+/*@ requires valid_body(ep);
+    assigns ep->points[0 .. 1], ep->published;
+    ensures valid_contact(ep);
+*/
+void EPF(set_velocity)(contact_t *ep, signal_t v)
+{
+    const point_t point = operating_point(ep->coeffs, v);
+    publish_point(ep, &point);
+}
+
+/*@ requires valid_contact(ep);
+    assigns ep->points[0 .. 1], ep->published, ep->z, ep->dz, ep->direction;
+    ensures valid_contact(ep);
+    ensures \result == ep->z;
+*/
+int32_t EPF(update)(contact_t *ep, signal_t dx, signal_t v)
+{
+    EPF(set_velocity)(ep, v);
+    return EPF(advance)(ep, dx);
+}
+
+/*@ requires valid_contact(ep);
+    assigns ep->force, ep->rejected;
+    ensures valid_contact(ep);
+    ensures -SIGNAL_MAX <= \result <= SIGNAL_MAX;
+    ensures ep->force == \result;
+*/
+signal_t EPF(force)(contact_t *ep, duration_t dt)
+{
+    const motion_t motion = {ep->z, ep->dz, ep->direction};
+    const signal_t force = force_of(ep->coeffs, &motion, published_point(ep)->viscous, dt);
+    count_unusable(ep, dt);
+    publish_force(ep, force);
+    return force;
+}
+
+/*@ requires valid_contact(ep);
+    assigns *ep;
+    ensures valid_contact(ep);
+    ensures -SIGNAL_MAX <= \result <= SIGNAL_MAX;
+    ensures ep->force == \result;
+*/
+signal_t EPF(step)(contact_t *ep, signal_t dx, signal_t v, duration_t dt)
+{
+    const coeffs_t *c = ep->coeffs;
+    const point_t point = operating_point(c, v);
+    publish_point(ep, &point);
+    const motion_t motion = moved(c, &point, ep->z, dx);
+    keep(ep, &motion);
+    const signal_t force = force_of(c, &motion, point.viscous, dt);
+    count_unusable(ep, dt);
+    publish_force(ep, force);
+    return force;
+}
+
+/*@ requires \valid_read(ep);
+    assigns \nothing;
+    ensures \result == ep->force;
+*/
+signal_t EPF(output)(const contact_t *ep)
+{
+    return published_force(ep);
+}
+
+/*@ requires \valid_read(ep);
+    assigns \nothing;
+    ensures \result == ep->z;
+*/
+int32_t EPF(z)(const contact_t *ep)
+{
+    return *(const volatile int32_t *)&ep->z;
+}
+
+/*@ requires valid_coeffs(coeffs);
+    assigns \nothing;
+    ensures v > 0 ==> \result >= 0;
+    ensures v == 0 ==> \result == 0;
+    ensures v < 0 ==> \result <= 0;
+*/
+signal_t EPF(fss)(const coeffs_t *coeffs, signal_t v)
+{
+    if (v == 0) {
+        return 0;
+    }
+    return (signal_t)along(v, in_lsb(coeffs, steady_state(coeffs, magnitude(v)), 0));
+}
+
+/*@ requires valid_coeffs(c);
+    assigns \nothing;
+    ensures -c->z_max <= \result <= c->z_max;
+    ensures -c->z_max <= z <= c->z_max ==> \result == z;
+*/
+static inline int32_t clamped_state(const coeffs_t *c, int32_t z)
+{
+    return z > c->z_max ? c->z_max : z < -c->z_max ? -c->z_max : z;
+}
+
+/*@ requires valid_coeffs(coeffs);
+    assigns \nothing;
+    ensures 0 <= \result <= STATE_LIMIT; // 0 to 1 in Q30
+*/
+int32_t EPF(alpha)(const coeffs_t *coeffs, int32_t z, signal_t v)
+{
+    const int32_t zeta = along(v, clamped_state(coeffs, z));
+    if (v == 0 || zeta <= coeffs->z_ba) {
+        return 0;
+    }
+    const point_t point = operating_point(coeffs, v);
+    return zeta < point.z_ss ? in_q30(half_sine(advance_in_span(&point, zeta - coeffs->z_ba)))
+                             : STATE_LIMIT;
+}
+
+/* A contact at rest: no displacement is left that a damping or viscous term could belong to */
+/*@ requires \valid(ep);
+    assigns ep->z, ep->dz, ep->direction, ep->force;
+    ensures ep->z == z && ep->dz == 0 && ep->direction == 0 && ep->force == force;
+*/
+static inline void rest_at(contact_t *ep, int32_t z, signal_t force)
+{
+    ep->z = z;
+    ep->dz = 0;
+    ep->direction = 0;
+    publish_force(ep, force);
+}
+
+/*@ requires \valid(ep) && valid_coeffs(coeffs) && \separated(ep, coeffs);
+    assigns *ep;
+    ensures valid_contact(ep);
+    ensures ep->z == 0 && ep->coeffs == coeffs;
+*/
+void EPF(init)(contact_t *ep, const coeffs_t *coeffs)
+{
+    ep->coeffs = coeffs;
+    ep->rejected = 0;
+    ep->published = 0;
+    rest_at(ep, 0, 0);
+    EPF(set_velocity)(ep, 0);
+}
+
+/*@ requires valid_contact(ep);
+    assigns ep->z, ep->dz, ep->direction, ep->force;
+    ensures valid_contact(ep);
+*/
+void EPF(reset)(contact_t *ep, int32_t z)
+{
+    const int32_t clamped = clamped_state(ep->coeffs, z);
+    rest_at(ep, clamped, in_lsb(ep->coeffs, clamped, 0));
+}

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Signs and leading zeros, for both fixed-point variants. No division, no 64-bit arithmetic.
+ *
+ * Comments that begin with an at sign, here and in the other files, are contracts in ACSL. Frama-C
+ * proves them on this text, see tests/proof.
+ */
+#ifndef EPF_NUMBERS_H
+#define EPF_NUMBERS_H
+
+#include <stdint.h>
+
+/* A function that is called, so that the short path around it saves fewer registers */
+#ifdef __GNUC__
+#define OUT_OF_LINE __attribute__((noinline))
+#else
+#define OUT_OF_LINE
+#endif
+
+/* |x|, also of the most negative number */
+/*@ assigns \nothing;
+    ensures x >= 0 ==> \result == x;
+    ensures x < 0 ==> \result == -x;
+*/
+static inline uint32_t magnitude(int32_t x)
+{
+    return x < 0 ? (uint32_t)(-(x + 1)) + 1u : (uint32_t)x;
+}
+
+/* x as seen in the direction of s; s is any number that has its sign */
+/*@ requires -2147483647 <= x;
+    assigns \nothing;
+    ensures s >= 0 ==> \result == x;
+    ensures s < 0 ==> \result == -x;
+*/
+static inline int32_t along(int32_t s, int32_t x)
+{
+    return s < 0 ? -x : x;
+}
+
+/* A positive number moved up so that its highest bit is the 32nd: x 2^zeros */
+typedef struct {
+    uint32_t mantissa;
+    int zeros;
+} normal_t;
+
+/* The same where at most 15 zeros are left, and so many were moved already */
+/*@ requires 65536 <= x && 0 <= zeros <= 16;
+    assigns \nothing;
+    ensures zeros <= \result.zeros <= zeros + 15 && 2147483648 <= \result.mantissa;
+    ensures x < 2147483648 ==> zeros + 1 <= \result.zeros;
+    ensures 1048576 <= x ==> \result.zeros <= zeros + 11;
+*/
+static inline normal_t normalised_further(uint32_t x, int zeros)
+{
+    if (x / 0x1000000u == 0) {
+        x *= 0x100u;
+        zeros += 8;
+    }
+    if (x / 0x10000000u == 0) {
+        x *= 0x10u;
+        zeros += 4;
+    }
+    if (x / 0x40000000u == 0) {
+        x *= 4u;
+        zeros += 2;
+    }
+    if (x / 0x80000000u == 0) {
+        x *= 2u;
+        zeros += 1;
+    }
+    return (normal_t){x, zeros};
+}
+
+/*@ requires 0 < x;
+    assigns \nothing;
+    ensures 0 <= \result.zeros <= 31 && 2147483648 <= \result.mantissa;
+    ensures (x < 2147483648 ==> 1 <= \result.zeros) && (x < 65536 ==> 16 <= \result.zeros);
+*/
+static inline normal_t normalised(uint32_t x)
+{
+#ifdef __ARM_FEATURE_CLZ /* one instruction; a test compares the two on the cores that have it */
+    const int leading = __builtin_clz(x);
+    return (normal_t){x << leading, leading};
+#else
+    return x / 0x10000u == 0 ? normalised_further(x * 0x10000u, 16) : normalised_further(x, 0);
+#endif
+}
+
+/* floor(x 2^-shift) */
+/*@ requires 0 <= shift <= 31;
+    assigns \nothing;
+    ensures \result <= x;
+*/
+static inline uint32_t shifted_down(uint32_t x, int shift)
+{
+#ifdef __AVR__ /* it shifts bit by bit, but whole bytes at once */
+    if (shift >= 16) {
+        x >>= 16;
+        shift -= 16;
+    }
+    if (shift >= 8) {
+        x >>= 8;
+        shift -= 8;
+    }
+#endif
+    return x >> shift;
+}
+
+#endif
