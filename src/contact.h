@@ -5,14 +5,14 @@
  *
  *     stribeck_weight(c, speed)            eqs. (6) to (8), without f_c
  *     viscous_term(c, speed)               sigma_2 |v|
- *     point_of(c, z_ss, viscous)           what advance needs of z_ss so that it need not divide
+ *     prepare(c, z_ss, viscous, point)     and what advance needs so that it need not divide
  *     advance_in_span(point, beyond)       u, how far z_ba + beyond is from z_ba to z_ss
  *     half_sine(u)                         eq. (10)
  *     product(a, b), part(x, a)            of fractions; of an integer and a fraction
  *     inverse_of_time(dt)                  1/dt
  *     in_lsb(c, z, rest)                   the force in lsb.f
  *
- * With s = sgn dx: zeta = s z_{k-1}, zeta' = s z_k, d = |dx| > 0, dzeta = zeta' - zeta, dw = d - dzeta.
+ * With s = sgn dx_k: zeta = s z_{k-1}, zeta' = s z_k, d = |dx| > 0, dzeta = zeta' - zeta, dw = d - dzeta.
  */
 #include "guard.h"
 #include "saturated.h"
@@ -32,23 +32,27 @@ static inline int32_t steady_state(const coeffs_t *c, uint32_t speed)
     return c->z_c + (int32_t)part((uint32_t)(c->z_max - c->z_c), stribeck_weight(c, speed));
 }
 
-/* All that follows from the velocity */
-/*@ requires valid_coeffs(c);
-    assigns \nothing;
-    ensures c->z_c <= \result.z_ss <= c->z_max;
-    ensures -TERM_MAX <= \result.viscous <= TERM_MAX;
-    ensures \result.span_zeros <= 31;
-    ensures v > 0 ==> \result.viscous >= 0;
-    ensures v == 0 ==> \result.viscous == 0 && \result.z_ss == c->z_max;
-    ensures v < 0 ==> \result.viscous <= 0;
+/* All that follows from the velocity, written aside and then published */
+/*@ requires valid_body(ep);
+    assigns ep->points[0 .. 1], ep->published;
+    ensures valid_contact(ep);
+    ensures \result == &ep->points[ep->published];
 */
-static inline point_t operating_point(const coeffs_t *c, signal_t v)
+static inline const point_t *set_point(contact_t *ep, signal_t v)
 {
-    if (v == 0) {
-        return point_of(c, c->z_max, 0);
+    const coeffs_t *c = ep->coeffs;
+    int32_t z_ss = c->z_max;
+    int32_t viscous = 0;
+    if (v != 0) {
+        const uint32_t speed = magnitude(v);
+        z_ss = steady_state(c, speed);
+        viscous = along(v, (int32_t)viscous_term(c, speed));
     }
-    const uint32_t speed = magnitude(v);
-    return point_of(c, steady_state(c, speed), along(v, (int32_t)viscous_term(c, speed)));
+    point_t *aside = point_aside(ep);
+    prepare(c, z_ss, viscous, aside);
+    /*@ assert valid_coeffs(ep->coeffs) && valid_point(ep->coeffs, aside); */
+    publish_point(ep);
+    return aside;
 }
 
 /* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
@@ -102,36 +106,29 @@ static inline int32_t deflection(const coeffs_t *c, const point_t *point, int32_
     return saturated(gap, d, (int32_t)plastic);
 }
 
-/* What a displacement leaves: z_k, dz_k = z_k - z_{k-1}, and sgn dx_k */
-typedef struct {
-    int32_t z, dz;
-    int8_t direction;
-} motion_t;
-
-/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, point);
-    requires -c->z_max <= z <= c->z_max;
-    assigns \nothing;
-    ensures valid_motion(c, \result.z, \result.dz, \result.direction);
-    ensures dx == 0 ==> \result.z == z;
+/* The state after a displacement */
+/*@ requires valid_body(ep) && \valid_read(point) && valid_point(ep->coeffs, point);
+    assigns ep->z, ep->dzeta, ep->direction;
+    // Theorem 1: the state is bounded
+    ensures valid_motion(ep->coeffs, ep->z, ep->dzeta, ep->direction);
+    ensures dx == 0 ==> ep->z == \old(ep->z);
 */
-static inline motion_t moved(const coeffs_t *c, const point_t *point, int32_t z, signal_t dx)
+static inline void move(contact_t *ep, const point_t *point, signal_t dx)
 {
-    if (dx == 0) {
-        return (motion_t){z, 0, 0};
+    const coeffs_t *c = ep->coeffs;
+    int32_t dzeta = 0;
+    int8_t direction = 0;
+    if (dx > 0) {
+        dzeta = deflection(c, point, ep->z, magnitude(dx));
+        ep->z += dzeta;
+        direction = 1;
+    } else if (dx < 0) {
+        dzeta = deflection(c, point, -ep->z, magnitude(dx));
+        ep->z -= dzeta;
+        direction = -1;
     }
-    const int32_t dz = along(dx, deflection(c, point, along(dx, z), magnitude(dx)));
-    return (motion_t){z + dz, dz, dx > 0 ? 1 : -1};
-}
-
-/*@ requires \valid(ep) && \valid_read(motion) && \separated(ep, motion);
-    assigns ep->z, ep->dz, ep->direction;
-    ensures ep->z == motion->z && ep->dz == motion->dz && ep->direction == motion->direction;
-*/
-static inline void keep(contact_t *ep, const motion_t *motion)
-{
-    ep->z = motion->z;
-    ep->dz = motion->dz;
-    ep->direction = motion->direction;
+    ep->dzeta = dzeta;
+    ep->direction = direction;
 }
 
 /* ---- the force: eq. (14) -------------------------------------------------------------------- */
@@ -142,57 +139,39 @@ static inline void keep(contact_t *ep, const motion_t *motion)
     assigns \nothing;
     ensures \result <= TERM_MAX;
 */
-static inline uint32_t damping_term(const coeffs_t *c, uint32_t dz, duration_t dt)
+static LEAF uint32_t damping_term(const coeffs_t *c, uint32_t distance, duration_t dt)
 {
     const inverse_t inverse = inverse_of_time(dt);
     const int shift = c->damping_shift + inverse.zeros;
     if (shift > 0) {
-        if (dz >> (32 - shift) != 0) {
+        if (distance >> (32 - shift) != 0) {
             return TERM_MAX; /* 2^29 at the least: both factors below are 1/2 or more */
         }
-        dz <<= shift;
+        distance <<= shift;
     }
-    const uint32_t p = part(part(dz, c->damping), inverse.mantissa);
+    const uint32_t p = part(part(distance, c->damping), inverse.mantissa);
     const uint32_t term = shift >= 0 ? p : shift > -32 ? shifted_down(p, -shift) : 0;
     return term < TERM_MAX ? term : TERM_MAX;
 }
 
 /* The terms of (14) beyond sigma_0 z, signed, in units of 2^8 sigma_0 u */
-/*@ requires valid_coeffs(c);
-    requires \valid_read(motion) && valid_motion(c, motion->z, motion->dz, motion->direction);
+/*@ requires valid_body(ep);
     requires -TERM_MAX <= viscous <= TERM_MAX && damping <= TERM_MAX;
     assigns \nothing;
     ensures -2 * TERM_MAX <= \result <= 2 * TERM_MAX;
-    ensures motion->direction == 0 ==> \result == viscous;
+    ensures ep->direction == 0 ==> \result == viscous;
     // Theorem 3 in case 1, in the signs of the signals
-    ensures motion->direction * motion->dz < 0 ==>
-              motion->direction * (motion->z + 256 * \result) > 0;
+    ensures ep->dzeta < 0 ==> ep->direction * (ep->z + 256 * \result) > 0;
     // in the other cases both terms go along the motion
-    ensures motion->direction * motion->dz >= 0 ==> motion->direction * \result >= 0;
+    ensures ep->dzeta >= 0 ==> ep->direction * \result >= 0;
 */
-static inline int32_t dissipative_terms(const coeffs_t *c, const motion_t *motion, int32_t viscous,
-                                        uint32_t damping)
+static inline int32_t dissipative_terms(const contact_t *ep, int32_t viscous, uint32_t damping)
 {
-    (void)c; /* for the contract */
-    const int s = motion->direction;
+    const int s = ep->direction;
     if (s == 0) {
         return viscous; /* v' = v */
     }
-    return along(
-        s, guarded_sum(along(s, motion->z), along(s, motion->dz), magnitude(viscous), damping));
-}
-
-/*@ requires valid_coeffs(c);
-    requires \valid_read(motion) && valid_motion(c, motion->z, motion->dz, motion->direction);
-    requires -TERM_MAX <= viscous <= TERM_MAX;
-    assigns \nothing;
-    ensures -SIGNAL_MAX <= \result <= SIGNAL_MAX;
-*/
-static inline signal_t force_of(const coeffs_t *c, const motion_t *motion, int32_t viscous,
-                                duration_t dt)
-{
-    const uint32_t damping = dt != 0 ? damping_term(c, magnitude(motion->dz), dt) : 0;
-    return in_lsb(c, motion->z, dissipative_terms(c, motion, viscous, damping));
+    return along(s, guarded_sum(along(s, ep->z), ep->dzeta, magnitude(viscous), damping));
 }
 
 /* A time of 0 is counted; the counter saturates, so that it never decreases */
@@ -200,17 +179,37 @@ static inline signal_t force_of(const coeffs_t *c, const motion_t *motion, int32
     assigns ep->rejected;
     ensures ep->rejected >= \old(ep->rejected);
 */
-static inline void count_unusable(contact_t *ep, duration_t dt)
+static inline void count_rejected(contact_t *ep)
 {
-    if (dt == 0 && ep->rejected != UINT16_MAX) {
+    if (ep->rejected != UINT16_MAX) {
         ep->rejected++;
     }
+}
+
+/* Publishes it, too */
+/*@ requires valid_body(ep) && -TERM_MAX <= viscous <= TERM_MAX;
+    assigns ep->force, ep->rejected;
+    ensures -SIGNAL_MAX <= \result <= SIGNAL_MAX;
+    ensures ep->force == \result;
+*/
+static inline signal_t make_force(contact_t *ep, int32_t viscous, duration_t dt)
+{
+    uint32_t damping = 0;
+    if (dt != 0) {
+        damping = damping_term(ep->coeffs, magnitude(ep->dzeta), dt);
+    } else {
+        count_rejected(ep);
+    }
+    const int32_t rest = dissipative_terms(ep, viscous, damping);
+    const signal_t force = in_lsb(ep->coeffs, ep->z, rest);
+    publish_force(ep, force);
+    return force;
 }
 
 /* ---- the public functions ------------------------------------------------------------------- */
 
 /*@ requires valid_contact(ep);
-    assigns ep->z, ep->dz, ep->direction;
+    assigns ep->z, ep->dzeta, ep->direction;
     // Theorem 1: the state is bounded, by every operating point
     ensures valid_contact(ep);
     ensures \result == ep->z;
@@ -218,9 +217,8 @@ static inline void count_unusable(contact_t *ep, duration_t dt)
 */
 int32_t EPF(advance)(contact_t *ep, signal_t dx)
 {
-    const motion_t motion = moved(ep->coeffs, published_point(ep), ep->z, dx);
-    keep(ep, &motion);
-    return motion.z;
+    move(ep, published_point(ep), dx);
+    return ep->z;
 }
 
 /*@ requires valid_body(ep);
@@ -229,12 +227,11 @@ int32_t EPF(advance)(contact_t *ep, signal_t dx)
 */
 void EPF(set_velocity)(contact_t *ep, signal_t v)
 {
-    const point_t point = operating_point(ep->coeffs, v);
-    publish_point(ep, &point);
+    (void)set_point(ep, v);
 }
 
 /*@ requires valid_contact(ep);
-    assigns ep->points[0 .. 1], ep->published, ep->z, ep->dz, ep->direction;
+    assigns ep->points[0 .. 1], ep->published, ep->z, ep->dzeta, ep->direction;
     ensures valid_contact(ep);
     ensures \result == ep->z;
 */
@@ -252,11 +249,7 @@ int32_t EPF(update)(contact_t *ep, signal_t dx, signal_t v)
 */
 signal_t EPF(force)(contact_t *ep, duration_t dt)
 {
-    const motion_t motion = {ep->z, ep->dz, ep->direction};
-    const signal_t force = force_of(ep->coeffs, &motion, published_point(ep)->viscous, dt);
-    count_unusable(ep, dt);
-    publish_force(ep, force);
-    return force;
+    return make_force(ep, published_point(ep)->viscous, dt);
 }
 
 /*@ requires valid_contact(ep);
@@ -267,15 +260,9 @@ signal_t EPF(force)(contact_t *ep, duration_t dt)
 */
 signal_t EPF(step)(contact_t *ep, signal_t dx, signal_t v, duration_t dt)
 {
-    const coeffs_t *c = ep->coeffs;
-    const point_t point = operating_point(c, v);
-    publish_point(ep, &point);
-    const motion_t motion = moved(c, &point, ep->z, dx);
-    keep(ep, &motion);
-    const signal_t force = force_of(c, &motion, point.viscous, dt);
-    count_unusable(ep, dt);
-    publish_force(ep, force);
-    return force;
+    const point_t *point = set_point(ep, v);
+    move(ep, point, dx);
+    return make_force(ep, point->viscous, dt);
 }
 
 /*@ requires \valid_read(ep);
@@ -330,20 +317,24 @@ int32_t EPF(alpha)(const coeffs_t *coeffs, int32_t z, signal_t v)
     if (v == 0 || zeta <= coeffs->z_ba) {
         return 0;
     }
-    const point_t point = operating_point(coeffs, v);
-    return zeta < point.z_ss ? in_q30(half_sine(advance_in_span(&point, zeta - coeffs->z_ba)))
-                             : STATE_LIMIT;
+    const int32_t z_ss = steady_state(coeffs, magnitude(v));
+    if (zeta >= z_ss) {
+        return STATE_LIMIT;
+    }
+    point_t point;
+    prepare(coeffs, z_ss, 0, &point);
+    return in_q30(half_sine(advance_in_span(&point, zeta - coeffs->z_ba)));
 }
 
 /* A contact at rest: no displacement is left that a damping or viscous term could belong to */
 /*@ requires \valid(ep);
-    assigns ep->z, ep->dz, ep->direction, ep->force;
-    ensures ep->z == z && ep->dz == 0 && ep->direction == 0 && ep->force == force;
+    assigns ep->z, ep->dzeta, ep->direction, ep->force;
+    ensures ep->z == z && ep->dzeta == 0 && ep->direction == 0 && ep->force == force;
 */
 static inline void rest_at(contact_t *ep, int32_t z, signal_t force)
 {
     ep->z = z;
-    ep->dz = 0;
+    ep->dzeta = 0;
     ep->direction = 0;
     publish_force(ep, force);
 }
@@ -363,7 +354,7 @@ void EPF(init)(contact_t *ep, const coeffs_t *coeffs)
 }
 
 /*@ requires valid_contact(ep);
-    assigns ep->z, ep->dz, ep->direction, ep->force;
+    assigns ep->z, ep->dzeta, ep->direction, ep->force;
     ensures valid_contact(ep);
 */
 void EPF(reset)(contact_t *ep, int32_t z)

@@ -17,6 +17,13 @@
 #define OUT_OF_LINE
 #endif
 
+/* With few registers a step is best made of small functions that live in those which a call may use */
+#if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__) || defined(__AVR__)
+#define LEAF OUT_OF_LINE
+#else
+#define LEAF inline
+#endif
+
 /* |x|, also of the most negative number */
 /*@ assigns \nothing;
     ensures x >= 0 ==> \result == x;

@@ -13,24 +13,24 @@ static inline const point_t *published_point(const contact_t *ep)
     return *(const volatile uint8_t *)&ep->published == 0 ? &ep->points[0] : &ep->points[1];
 }
 
-/* Writes the point aside, then announces it by one store. Volatile accesses keep their order. */
-/*@ requires \valid(ep) && ep->published <= 1 && \valid_read(point) && \separated(ep, point);
-    assigns ep->published, ep->points[0 .. 1];
-    ensures ep->published == 1 - \old(ep->published);
-    ensures ep->points[ep->published].z_ss == point->z_ss;
-    ensures ep->points[ep->published].viscous == point->viscous;
-    ensures ep->points[ep->published].span_zeros == point->span_zeros;
+/* The other one, for the velocity context to write */
+/*@ requires \valid(ep) && ep->published <= 1;
+    assigns \result \from ep, ep->published;
+    ensures \result == &ep->points[1 - ep->published];
 */
-static inline void publish_point(contact_t *ep, const point_t *point)
+static inline point_t *point_aside(contact_t *ep)
 {
-    const uint8_t aside = (uint8_t)(1u - ep->published);
-    volatile point_t *target = &ep->points[aside];
-    target->z_ss = point->z_ss;
-    target->viscous = point->viscous;
-    target->span_inverse = point->span_inverse;
-    target->span_share = point->span_share;
-    target->span_zeros = point->span_zeros;
-    *(volatile uint8_t *)&ep->published = aside;
+    return ep->published == 0 ? &ep->points[1] : &ep->points[0];
+}
+
+/* Announces it by one store. Volatile accesses keep their order, and a point is written by such. */
+/*@ requires \valid(ep) && ep->published <= 1;
+    assigns ep->published;
+    ensures ep->published == 1 - \old(ep->published);
+*/
+static inline void publish_point(contact_t *ep)
+{
+    *(volatile uint8_t *)&ep->published = (uint8_t)(1u - ep->published);
 }
 
 /*@ requires \valid(ep);

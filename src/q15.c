@@ -26,7 +26,7 @@ typedef epf_q15_t contact_t;
       (2 * c->z_max <= c->leap * c->unit || c->leap == 65535);
     // Gains that keep their results in range
     predicate valid_gains(coeffs_t *c) =
-      c->ratio_limit * c->ratio <= 61440 * 65536 && 3 <= c->viscous_shift <= 31 &&
+      c->ratio_limit * c->ratio < 61440 * 65536 && 3 <= c->viscous_shift <= 31 &&
       -64 <= c->damping_shift <= 1 && 1 <= c->output_shift <= 31;
 */
 #include "valid.h"
@@ -166,7 +166,7 @@ static inline uint16_t stribeck_weight(const coeffs_t *c, uint32_t speed)
     }
     const uint32_t limited = speed < c->ratio_limit ? speed : c->ratio_limit;
     /*@ assert limited * c->ratio <= c->ratio_limit * c->ratio; */
-    const uint16_t ratio = high(limited * c->ratio); /* |v|/v_s in Q10, up to 60 */
+    const uint16_t ratio = high(limited * c->ratio + 32768u); /* |v|/v_s in Q10, up to 60 */
     const uint32_t q = wide(ratio, ratio);
     /*@ assert q <= 61440 * 61440; */
     return form == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
@@ -179,11 +179,11 @@ enum { EXCESS = 2 };
 
 /* One reciprocal, of span z_ss, for both that of the span and span/z_ss */
 /*@ requires valid_coeffs(c) && c->z_c <= z_ss <= c->z_max;
-    requires -TERM_MAX <= viscous <= TERM_MAX;
-    assigns \nothing;
-    ensures \result.z_ss == z_ss && \result.viscous == viscous && \result.span_zeros <= 31;
+    requires \valid(point) && \separated(c, point);
+    assigns *point;
+    ensures point->z_ss == z_ss && point->viscous == viscous && point->span_zeros <= 31;
 */
-static inline point_t point_of(const coeffs_t *c, int32_t z_ss, int32_t viscous)
+static inline void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
     const normal_t normal_span = normalised((uint32_t)(z_ss - c->z_ba));
     const normal_t normal_whole = normalised((uint32_t)z_ss);
@@ -195,8 +195,12 @@ static inline point_t point_of(const coeffs_t *c, int32_t z_ss, int32_t viscous)
     const uint16_t span_inverse = (uint16_t)(high(wide(whole, inverse_of_both) << up) - EXCESS);
     const uint16_t whole_inverse = (uint16_t)(high(wide(span, inverse_of_both) << up) - EXCESS);
     const uint32_t share = wide(span, whole_inverse) >> (normal_span.zeros - normal_whole.zeros);
-    return (point_t){z_ss, viscous, span_inverse, (uint16_t)(share / 32768u),
-                     (uint8_t)normal_span.zeros};
+    volatile point_t *target = point; /* written before it is published */
+    target->z_ss = z_ss;
+    target->viscous = viscous;
+    target->span_inverse = span_inverse;
+    target->span_share = (uint16_t)(share / 32768u);
+    target->span_zeros = (uint8_t)normal_span.zeros;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
@@ -243,7 +247,7 @@ static inline int32_t in_q30(uint16_t fraction)
     ensures z + 256 * rest > 0 ==> \result >= 0;
     ensures z + 256 * rest < 0 ==> \result <= 0;
 */
-static inline int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
+static LEAF int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
 {
     const int32_t force = along(z, (int32_t)(magnitude(z) / 256u)) + rest;
     const uint32_t p = part(magnitude(force), c->output);

@@ -189,11 +189,11 @@ static inline uint32_t stribeck_weight(const coeffs_t *c, uint32_t speed)
 
 /* One reciprocal, of span z_ss, for both that of the span and span/z_ss */
 /*@ requires valid_coeffs(c) && c->z_c <= z_ss <= c->z_max;
-    requires -TERM_MAX <= viscous <= TERM_MAX;
-    assigns \nothing;
-    ensures \result.z_ss == z_ss && \result.viscous == viscous && \result.span_zeros <= 31;
+    requires \valid(point) && \separated(c, point);
+    assigns *point;
+    ensures point->z_ss == z_ss && point->viscous == viscous && point->span_zeros <= 31;
 */
-static inline point_t point_of(const coeffs_t *c, int32_t z_ss, int32_t viscous)
+static inline void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
     const normal_t whole = normalised((uint32_t)z_ss);
     const normal_t span = normalised((uint32_t)(z_ss - c->z_ba));
@@ -204,8 +204,12 @@ static inline point_t point_of(const coeffs_t *c, int32_t z_ss, int32_t viscous)
     const uint32_t span_inverse = product(whole.mantissa, inverse_of_both) << up;
     const uint32_t whole_inverse = product(span.mantissa, inverse_of_both) << up;
     const uint32_t share = product(span.mantissa, whole_inverse); /* in Q30 */
-    return (point_t){z_ss, viscous, span_inverse, share >> (span.zeros - whole.zeros) << 2,
-                     (uint8_t)span.zeros};
+    volatile point_t *target = point; /* written before it is published */
+    target->z_ss = z_ss;
+    target->viscous = viscous;
+    target->span_inverse = span_inverse;
+    target->span_share = share >> (span.zeros - whole.zeros) << 2;
+    target->span_zeros = (uint8_t)span.zeros;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
@@ -251,7 +255,7 @@ static inline int32_t in_q30(uint32_t fraction)
     ensures z + 256 * rest > 0 ==> \result >= 0;
     ensures z + 256 * rest < 0 ==> \result <= 0;
 */
-static inline int32_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
+static LEAF int32_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
 {
     const int64_t force = (int64_t)z + 256 * (int64_t)rest;
     const uint64_t size = (uint64_t)(force < 0 ? -force : force); /* below 2^39 */

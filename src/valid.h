@@ -16,19 +16,18 @@
       -TERM_MAX <= p->viscous <= TERM_MAX &&
       p->span_zeros <= 31;
 
-    // z_k, z_k - z_{k-1} and sgn dx_k, as a step leaves them. Where the deflection shrinks along the
-    // motion it was above z_ss, and is z_ss > 0 now.
-    predicate valid_motion(coeffs_t *c, integer z, integer dz, integer direction) =
+    // z_k, s (z_k - z_{k-1}) and s = sgn dx_k, as a step leaves them. Where the deflection shrinks
+    // along the motion it was above z_ss, and is z_ss > 0 now.
+    predicate valid_motion(coeffs_t *c, integer z, integer dzeta, integer direction) =
       -c->z_max <= z <= c->z_max &&
-      -2 * c->z_max <= dz <= 2 * c->z_max &&
+      -2 * c->z_max <= dzeta <= 2 * c->z_max &&
       -1 <= direction <= 1 &&
-      (direction > 0 && dz < 0 ==> z > 0) &&
-      (direction < 0 && dz > 0 ==> z < 0);
+      (dzeta < 0 ==> direction * z > 0);
 
     // A contact, also before it has its first operating point
     predicate valid_body(contact_t *ep) =
       \valid(ep) && valid_coeffs(ep->coeffs) && \separated(ep, ep->coeffs) &&
-      valid_motion(ep->coeffs, ep->z, ep->dz, ep->direction) && ep->published <= 1;
+      valid_motion(ep->coeffs, ep->z, ep->dzeta, ep->direction) && ep->published <= 1;
 
     // A contact from init on
     predicate valid_contact(contact_t *ep) =

@@ -82,7 +82,7 @@ typedef struct {
 typedef struct {
     const epf_q31_coeffs_t *coeffs;
     int32_t z;                 /* z_k, u */
-    int32_t dz;                /* z_k - z_{k-1}, u */
+    int32_t dzeta;             /* s (z_k - z_{k-1}), u, s = sgn dx_k */
     int32_t force;             /* as last published, lsb.f */
     uint16_t rejected;         /**< unusable values (dt = 0) since init; stays at UINT16_MAX */
     int8_t direction;          /* sgn(dx_k) */
