@@ -27,7 +27,7 @@
     assigns \nothing;
     ensures c->z_c <= \result <= c->z_max;
 */
-static inline int32_t steady_state(const coeffs_t *c, uint32_t speed)
+static IN_LINE int32_t steady_state(const coeffs_t *c, uint32_t speed)
 {
     return c->z_c + (int32_t)part((uint32_t)(c->z_max - c->z_c), stribeck_weight(c, speed));
 }
@@ -38,7 +38,7 @@ static inline int32_t steady_state(const coeffs_t *c, uint32_t speed)
     ensures valid_contact(ep);
     ensures \result == &ep->points[ep->published];
 */
-static inline const point_t *set_point(contact_t *ep, signal_t v)
+static IN_LINE const point_t *set_point(contact_t *ep, signal_t v)
 {
     const coeffs_t *c = ep->coeffs;
     int32_t z_ss = c->z_max;
@@ -46,7 +46,8 @@ static inline const point_t *set_point(contact_t *ep, signal_t v)
     if (v != 0) {
         const uint32_t speed = magnitude(v);
         z_ss = steady_state(c, speed);
-        viscous = along(v, (int32_t)viscous_term(c, speed));
+        viscous = (int32_t)viscous_term(c, speed);
+        viscous = v < 0 ? -viscous : viscous;
     }
     point_t *aside = point_aside(ep);
     prepare(c, z_ss, viscous, aside);
@@ -59,7 +60,7 @@ static inline const point_t *set_point(contact_t *ep, signal_t v)
 
 /* alpha zeta/z_ss for zeta = z_ba + beyond; with u the share of the span, zeta/z_ss is
    1 - (1 - u) span/z_ss */
-/*@ requires \valid_read(point) && point->span_zeros <= 31;
+/*@ requires \valid_read(point) && 0 <= point->span_zeros <= 31;
     requires 0 < beyond < STATE_LIMIT;
     assigns \nothing;
 */
@@ -90,8 +91,8 @@ static PLASTIC_SHARE_INLINE fraction_t plastic_share(const point_t *point, int32
     // Theorem 2: a displacement of 2 z_max arrives at once
     ensures counts * c->unit >= 2 * c->z_max ==> zeta + \result == point->z_ss;
 */
-static inline int32_t deflection(const coeffs_t *c, const point_t *point, int32_t zeta,
-                                 uint32_t counts)
+static IN_LINE int32_t deflection(const coeffs_t *c, const point_t *point, int32_t zeta,
+                                  uint32_t counts)
 {
     const int32_t gap = point->z_ss - zeta;
     /*@ assert counts < c->leap ==> counts * c->unit <= (c->leap - 1) * c->unit; */
@@ -113,22 +114,16 @@ static inline int32_t deflection(const coeffs_t *c, const point_t *point, int32_
     ensures valid_motion(ep->coeffs, ep->z, ep->dzeta, ep->direction);
     ensures dx == 0 ==> ep->z == \old(ep->z);
 */
-static inline void move(contact_t *ep, const point_t *point, signal_t dx)
+static IN_LINE void move(contact_t *ep, const point_t *point, signal_t dx)
 {
-    const coeffs_t *c = ep->coeffs;
+    const int32_t s = sign(dx);
     int32_t dzeta = 0;
-    int8_t direction = 0;
-    if (dx > 0) {
-        dzeta = deflection(c, point, ep->z, magnitude(dx));
-        ep->z += dzeta;
-        direction = 1;
-    } else if (dx < 0) {
-        dzeta = deflection(c, point, -ep->z, magnitude(dx));
-        ep->z -= dzeta;
-        direction = -1;
+    if (s != 0) {
+        dzeta = deflection(ep->coeffs, point, along(s, ep->z), magnitude(dx));
+        ep->z += along(s, dzeta);
     }
     ep->dzeta = dzeta;
-    ep->direction = direction;
+    ep->direction = (int8_t)s;
 }
 
 /* ---- the force: eq. (14) -------------------------------------------------------------------- */
@@ -150,7 +145,7 @@ static LEAF uint32_t damping_term(const coeffs_t *c, uint32_t distance, duration
         distance <<= shift;
     }
     const uint32_t p = part(part(distance, c->damping), inverse.mantissa);
-    const uint32_t term = shift >= 0 ? p : shift > -32 ? shifted_down(p, -shift) : 0;
+    const uint32_t term = shift < 0 ? shifted_down(p, -shift) : p;
     return term < TERM_MAX ? term : TERM_MAX;
 }
 
@@ -165,7 +160,7 @@ static LEAF uint32_t damping_term(const coeffs_t *c, uint32_t distance, duration
     // in the other cases both terms go along the motion
     ensures ep->dzeta >= 0 ==> ep->direction * \result >= 0;
 */
-static inline int32_t dissipative_terms(const contact_t *ep, int32_t viscous, uint32_t damping)
+static IN_LINE int32_t dissipative_terms(const contact_t *ep, int32_t viscous, uint32_t damping)
 {
     const int s = ep->direction;
     if (s == 0) {
@@ -192,7 +187,7 @@ static inline void count_rejected(contact_t *ep)
     ensures -SIGNAL_MAX <= \result <= SIGNAL_MAX;
     ensures ep->force == \result;
 */
-static inline signal_t make_force(contact_t *ep, int32_t viscous, duration_t dt)
+static IN_LINE signal_t make_force(contact_t *ep, int32_t viscous, duration_t dt)
 {
     uint32_t damping = 0;
     if (dt != 0) {
@@ -294,7 +289,7 @@ signal_t EPF(fss)(const coeffs_t *coeffs, signal_t v)
     if (v == 0) {
         return 0;
     }
-    return (signal_t)along(v, in_lsb(coeffs, steady_state(coeffs, magnitude(v)), 0));
+    return (signal_t)along(sign(v), in_lsb(coeffs, steady_state(coeffs, magnitude(v)), 0));
 }
 
 /*@ requires valid_coeffs(c);
@@ -313,8 +308,8 @@ static inline int32_t clamped_state(const coeffs_t *c, int32_t z)
 */
 int32_t EPF(alpha)(const coeffs_t *coeffs, int32_t z, signal_t v)
 {
-    const int32_t zeta = along(v, clamped_state(coeffs, z));
-    if (v == 0 || zeta <= coeffs->z_ba) {
+    const int32_t zeta = along(sign(v), clamped_state(coeffs, z));
+    if (zeta <= coeffs->z_ba) {
         return 0;
     }
     const int32_t z_ss = steady_state(coeffs, magnitude(v));

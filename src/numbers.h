@@ -13,8 +13,10 @@
 /* A function that is called, so that the short path around it saves fewer registers */
 #ifdef __GNUC__
 #define OUT_OF_LINE __attribute__((noinline))
+#define IN_LINE     inline __attribute__((always_inline))
 #else
 #define OUT_OF_LINE
+#define IN_LINE inline
 #endif
 
 /* With few registers a step is best made of small functions that live in those which a call may use */
@@ -34,15 +36,29 @@ static inline uint32_t magnitude(int32_t x)
     return x < 0 ? (uint32_t)(-(x + 1)) + 1u : (uint32_t)x;
 }
 
-/* x as seen in the direction of s; s is any number that has its sign */
-/*@ requires -2147483647 <= x;
+/* The direction of x: 1, 0 or -1 */
+/*@ assigns \nothing;
+    ensures x > 0 ==> \result == 1;
+    ensures x == 0 ==> \result == 0;
+    ensures x < 0 ==> \result == -1;
+*/
+static inline int32_t sign(int32_t x)
+{
+    return x < 0 ? -1 : x != 0;
+}
+
+/* x as seen in the direction s, 1 or -1 */
+/*@ requires -1 <= s <= 1 && -2147483647 <= x;
     assigns \nothing;
-    ensures s >= 0 ==> \result == x;
-    ensures s < 0 ==> \result == -x;
+    ensures \result == s * x;
 */
 static inline int32_t along(int32_t s, int32_t x)
 {
-    return s < 0 ? -x : x;
+#ifdef __AVR__ /* where a product is long */
+    return s < 0 ? -x : s == 0 ? 0 : x;
+#else
+    return s * x;
+#endif
 }
 
 /* A positive number moved up so that its highest bit is the 32nd: x 2^zeros */
@@ -60,6 +76,10 @@ typedef struct {
 */
 static inline normal_t normalised_further(uint32_t x, int zeros)
 {
+#ifdef __ARM_FEATURE_CLZ /* one instruction; a test compares the two on the cores that have it */
+    const int leading = __builtin_clz(x);
+    return (normal_t){x << leading, zeros + leading};
+#else
     if (x / 0x1000000u == 0) {
         x *= 0x100u;
         zeros += 8;
@@ -77,6 +97,7 @@ static inline normal_t normalised_further(uint32_t x, int zeros)
         zeros += 1;
     }
     return (normal_t){x, zeros};
+#endif
 }
 
 /*@ requires 0 < x;
@@ -86,9 +107,8 @@ static inline normal_t normalised_further(uint32_t x, int zeros)
 */
 static inline normal_t normalised(uint32_t x)
 {
-#ifdef __ARM_FEATURE_CLZ /* one instruction; a test compares the two on the cores that have it */
-    const int leading = __builtin_clz(x);
-    return (normal_t){x << leading, leading};
+#ifdef __ARM_FEATURE_CLZ
+    return normalised_further(x, 0);
 #else
     return x / 0x10000u == 0 ? normalised_further(x * 0x10000u, 16) : normalised_further(x, 0);
 #endif

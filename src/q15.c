@@ -27,7 +27,7 @@ typedef epf_q15_t contact_t;
     // Gains that keep their results in range
     predicate valid_gains(coeffs_t *c) =
       c->ratio_limit * c->ratio < 61440 * 65536 && 3 <= c->viscous_shift <= 31 &&
-      -64 <= c->damping_shift <= 1 && 1 <= c->output_shift <= 31;
+      -31 <= c->damping_shift <= 1 && 1 <= c->output_shift <= 31;
 */
 #include "valid.h"
 
@@ -181,7 +181,7 @@ enum { EXCESS = 2 };
 /*@ requires valid_coeffs(c) && c->z_c <= z_ss <= c->z_max;
     requires \valid(point) && \separated(c, point);
     assigns *point;
-    ensures point->z_ss == z_ss && point->viscous == viscous && point->span_zeros <= 31;
+    ensures point->z_ss == z_ss && point->viscous == viscous && 0 <= point->span_zeros <= 31;
 */
 static inline void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
@@ -200,13 +200,13 @@ static inline void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, poi
     target->viscous = viscous;
     target->span_inverse = span_inverse;
     target->span_share = (uint16_t)(share / 32768u);
-    target->span_zeros = (uint8_t)normal_span.zeros;
+    target->span_zeros = normal_span.zeros;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
 /* How far z_ba + beyond is from z_ba to z_ss, 0 to 1 */
-/*@ requires \valid_read(point) && point->span_zeros <= 31;
+/*@ requires \valid_read(point) && 0 <= point->span_zeros <= 31;
     requires 0 < beyond;
     assigns \nothing;
 */
@@ -249,7 +249,7 @@ static inline int32_t in_q30(uint16_t fraction)
 */
 static LEAF int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
 {
-    const int32_t force = along(z, (int32_t)(magnitude(z) / 256u)) + rest;
+    const int32_t force = z / 256 + rest;
     const uint32_t p = part(magnitude(force), c->output);
     const uint32_t rounded = (shifted_down(p, c->output_shift) + 1u) / 2u;
     const int16_t most = (int16_t)(rounded < INT16_MAX ? rounded : INT16_MAX);

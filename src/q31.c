@@ -25,8 +25,8 @@ typedef epf_q31_t contact_t;
     predicate valid_gains(coeffs_t *c) =
       c->ratio.mantissa < 2147483648 && c->ratio.up <= 31 &&
       c->viscous.mantissa < 536870912 && c->viscous.up <= 31 &&
-      -64 <= c->damping_shift <= 0 &&
-      c->output < 16777216 && 1 <= c->output_shift <= 63;
+      -31 <= c->damping_shift <= 0 &&
+      c->output < 16777216 && 2 <= c->output_shift <= 63;
 */
 #include "valid.h"
 
@@ -99,10 +99,10 @@ static inline uint64_t wide(uint32_t a, uint32_t b)
 /*@ assigns \nothing; */
 static INVERSE_INLINE uint32_t inverse(uint32_t m)
 {
-    uint32_t x = 3027763200u - (m / 2u - m / 32u);
+    uint32_t x = 3019898880u + m / 32u - m / 2u;
     const uint32_t t = product(m, x);
-    x = 4u * product(x, 3221225471u - 4u * product(t, 3221225472u - t));
-    return 4u * product(x, 2147483647u - product(m, x));
+    x = 16u * product(x, 805306368u - product(t, 3221225472u - t));
+    return 2u * product(x, ~(2u * product(m, x)));
 }
 
 /* A reciprocal of an integer x, as 2^62/(x 2^zeros) */
@@ -148,10 +148,10 @@ static inline uint32_t viscous_term(const coeffs_t *c, uint32_t speed)
 */
 static inline uint32_t lorentzian(uint64_t q)
 {
-    const uint64_t x = 4294967296u + q / 256u; /* 1 + q in Q32, at least 33 bits */
-    const normal_t high = normalised((uint32_t)(x / 4294967296u));
-    const int bits = 32 - high.zeros;
-    return 4u * (inverse(high.mantissa | (uint32_t)x >> bits) >> bits);
+    const normal_t x = normalised((uint32_t)(q >> 32) + 256u); /* 1 + q in Q8 ... */
+    const int bits = 32 - x.zeros;
+    const uint32_t mantissa = x.mantissa | (uint32_t)q >> bits; /* ... and what that cuts off */
+    return 4u * (inverse(mantissa) >> (bits - 8));
 }
 
 /* exp(-q), q in Q40: 2^-n times 2^-r, 0 <= r < 1, by a polynomial that is exact at both ends */
@@ -191,7 +191,7 @@ static inline uint32_t stribeck_weight(const coeffs_t *c, uint32_t speed)
 /*@ requires valid_coeffs(c) && c->z_c <= z_ss <= c->z_max;
     requires \valid(point) && \separated(c, point);
     assigns *point;
-    ensures point->z_ss == z_ss && point->viscous == viscous && point->span_zeros <= 31;
+    ensures point->z_ss == z_ss && point->viscous == viscous && 0 <= point->span_zeros <= 31;
 */
 static inline void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
@@ -209,13 +209,13 @@ static inline void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, poi
     target->viscous = viscous;
     target->span_inverse = span_inverse;
     target->span_share = share >> (span.zeros - whole.zeros) << 2;
-    target->span_zeros = (uint8_t)span.zeros;
+    target->span_zeros = span.zeros;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
 /* How far z_ba + beyond is from z_ba to z_ss, 0 to 1 */
-/*@ requires \valid_read(point) && point->span_zeros <= 31;
+/*@ requires \valid_read(point) && 0 <= point->span_zeros <= 31;
     requires 0 < beyond;
     assigns \nothing;
 */
@@ -246,6 +246,20 @@ static inline int32_t in_q30(uint32_t fraction)
 
 /* ---- the force: eq. (14) -------------------------------------------------------------------- */
 
+/* p 2^-shift for p = 2^32 high + low, at most UINT32_MAX - 1, to which 1 can be added */
+/*@ requires high < 4294967295 && 1 <= shift <= 63;
+    assigns \nothing;
+    ensures \result < 4294967295;
+*/
+static inline uint32_t shifted_down_64(uint32_t high, uint32_t low, int shift)
+{
+    if (shift >= 32) {
+        return shifted_down(high, shift - 32);
+    }
+    const uint32_t x = high << (32 - shift) | low >> shift;
+    return high >> shift == 0 && x != UINT32_MAX ? x : UINT32_MAX - 1u;
+}
+
 /* sigma_0 z + 2^8 rest in lsb.f, to the nearest, saturating */
 /*@ requires valid_coeffs(c);
     requires -STATE_LIMIT < z < STATE_LIMIT && -2 * TERM_MAX <= rest <= 2 * TERM_MAX;
@@ -259,10 +273,10 @@ static LEAF int32_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
 {
     const int64_t force = (int64_t)z + 256 * (int64_t)rest;
     const uint64_t size = (uint64_t)(force < 0 ? -force : force); /* below 2^39 */
-    const uint32_t upper = (uint32_t)(size >> 32) * c->output;
-    const uint64_t p = wide((uint32_t)size, c->output) + ((uint64_t)upper << 32);
-    const uint64_t twice = p >> (c->output_shift - 1);
-    const int32_t most = twice < UINT32_MAX ? (int32_t)(((uint32_t)twice + 1u) / 2u) : INT32_MAX;
+    const uint32_t low = (uint32_t)size, high = (uint32_t)(size >> 32);
+    const uint32_t twice = shifted_down_64(product(low, c->output) + high * c->output,
+                                           low * c->output, c->output_shift - 1);
+    const int32_t most = (int32_t)((twice + 1u) / 2u);
     return force < 0 ? -most : most;
 }
 

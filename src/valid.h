@@ -14,7 +14,7 @@
     predicate valid_point(coeffs_t *c, point_t *p) =
       c->z_c <= p->z_ss <= c->z_max &&
       -TERM_MAX <= p->viscous <= TERM_MAX &&
-      p->span_zeros <= 31;
+      0 <= p->span_zeros <= 31;
 
     // z_k, s (z_k - z_{k-1}) and s = sgn dx_k, as a step leaves them. Where the deflection shrinks
     // along the motion it was above z_ss, and is z_ss > 0 now.

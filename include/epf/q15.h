@@ -73,7 +73,7 @@ typedef struct {
     int32_t viscous;       /* sigma_2 v, 2^8 sigma_0 u */
     uint16_t span_inverse; /* 2^31/(16 leading bits of the span), span = z_ss - z_ba */
     uint16_t span_share;   /* span/z_ss in Q16 */
-    uint8_t span_zeros;    /* leading zeros of the span */
+    int span_zeros;        /* leading zeros of the span */
 } epf_q15_point_t;
 
 /** One contact. Allocate it anywhere, initialise it by epf_q15_init. Only `rejected` is public. */

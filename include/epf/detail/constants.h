@@ -7,7 +7,8 @@
 #define EPF_DETAIL_CONSTANTS_H
 
 #ifdef __GNUC__
-#pragma GCC system_header /* one line of context for a bad parameter, instead of every macro on the way */
+#pragma GCC \
+    system_header /* one line of context for a bad parameter, instead of every macro on the way */
 #endif
 
 #include "epf/params.h"
@@ -133,7 +134,7 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
    megabyte of comparisons. */
 #if defined(__GNUC__)
 #define EPF_EXPONENT_(x) \
-    (31 - __builtin_clzll(EPF_CAST_(unsigned long long, (x) * 4294967296.0f) | 1u))
+    (31 - __builtin_clzll(EPF_CAST_(unsigned long long, (x)*4294967296.0f) | 1u))
 #else
 #define EPF_EXPONENT_(x) constant_coefficients_need_gcc_or_clang_so_call_coeffs_init
 #endif
@@ -260,11 +261,16 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
     {                                                                                              \
         EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift), EPF_Q15_RATIO_(v_s_inverse),                \
             EPF_Q15_LEAP_(EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift)),                         \
-            EPF_Q15_GAIN_(viscous, (z_shift)-8), EPF_CAST_(int8_t, EPF_EXPONENT_(damping) - 22),   \
-            EPF_LEADING_(uint16_t, damping, 16), EPF_LEADING_(uint16_t, (f_max) / (z_max), 16),    \
+            EPF_Q15_GAIN_(viscous, (z_shift)-8),                                                   \
+            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), -9) - 22),                     \
+            EPF_CAST_(uint16_t,                                                                    \
+                      EPF_SCALED_(damping, 15 - EPF_AT_LEAST_(EPF_EXPONENT_(damping), -9))),       \
+            EPF_LEADING_(uint16_t, (f_max) / (z_max), 16),                                         \
             EPF_CAST_(uint8_t, (z_shift)-10 - EPF_EXPONENT_((f_max) / (z_max))),                   \
             EPF_CAST_(uint8_t, z_shift), (stribeck)                                                \
     }
+
+#define EPF_AT_LEAST_(n, least) ((n) > (least) ? (n) : (least))
 
 #define EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift)                                \
     EPF_UNITS_(z_max, z_shift), EPF_UNITS_(z_c, z_shift), EPF_UNITS_(z_ba, z_shift), \
