@@ -27,7 +27,7 @@
     assigns \nothing;
     ensures c->z_c <= \result <= c->z_max;
 */
-static IN_LINE int32_t steady_state(const coeffs_t *c, uint32_t speed)
+static LEAF int32_t steady_state(const coeffs_t *c, uint32_t speed)
 {
     return c->z_c + (int32_t)part((uint32_t)(c->z_max - c->z_c), stribeck_weight(c, speed));
 }
@@ -58,17 +58,19 @@ static IN_LINE const point_t *set_point(contact_t *ep, signal_t v)
 
 /* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
 
-/* alpha zeta/z_ss for zeta = z_ba + beyond; with u the share of the span, zeta/z_ss is
-   1 - (1 - u) span/z_ss */
+/* y for zeta = z_ba + beyond, eq. (12): d less alpha zeta/z_ss of it. With u the share of the span,
+   zeta/z_ss is 1 - (1 - u) span/z_ss. */
 /*@ requires \valid_read(point) && 0 <= point->span_zeros <= 31;
-    requires 0 < beyond < STATE_LIMIT;
+    requires 0 < beyond < STATE_LIMIT && 0 < d;
     assigns \nothing;
+    ensures 0 < \result <= d; // strict progress
 */
-static PLASTIC_SHARE_INLINE fraction_t plastic_share(const point_t *point, int32_t beyond)
+static LEAF int32_t deflecting_part(const point_t *point, int32_t beyond, int32_t d)
 {
     const fraction_t u = advance_in_span(point, beyond);
-    const fraction_t short_of = product((fraction_t)(ONE - u), point->span_share);
-    return product(half_sine(u), (fraction_t)(ONE - short_of));
+    const fraction_t short_of_z_ss = product((fraction_t)(ONE - u), point->span_share);
+    const fraction_t plastic = product(half_sine(u), (fraction_t)(ONE - short_of_z_ss));
+    return d - (int32_t)part((uint32_t)d, plastic);
 }
 
 /* dzeta for so many counts of displacement, more than 0, in the direction in which z is zeta */
@@ -103,8 +105,7 @@ static IN_LINE int32_t deflection(const coeffs_t *c, const point_t *point, int32
     const int32_t d = (int32_t)(counts * c->unit);
     /*@ assert d == counts * c->unit && 0 < d; */
     const int32_t beyond = zeta - c->z_ba;
-    const uint32_t plastic = beyond > 0 ? part((uint32_t)d, plastic_share(point, beyond)) : 0;
-    return saturated(gap, d, (int32_t)plastic);
+    return saturated(beyond > 0 ? deflecting_part(point, beyond, d) : d, gap);
 }
 
 /* The state after a displacement */

@@ -183,7 +183,7 @@ enum { EXCESS = 2 };
     assigns *point;
     ensures point->z_ss == z_ss && point->viscous == viscous && 0 <= point->span_zeros <= 31;
 */
-static inline void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
+static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
     const normal_t normal_span = normalised((uint32_t)(z_ss - c->z_ba));
     const normal_t normal_whole = normalised((uint32_t)z_ss);
@@ -256,5 +256,4 @@ static LEAF int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
     return (int16_t)(force < 0 ? -most : most);
 }
 
-#define PLASTIC_SHARE_INLINE OUT_OF_LINE
 #include "contact.h"

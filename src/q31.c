@@ -193,7 +193,7 @@ static inline uint32_t stribeck_weight(const coeffs_t *c, uint32_t speed)
     assigns *point;
     ensures point->z_ss == z_ss && point->viscous == viscous && 0 <= point->span_zeros <= 31;
 */
-static inline void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
+static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
     const normal_t whole = normalised((uint32_t)z_ss);
     const normal_t span = normalised((uint32_t)(z_ss - c->z_ba));
@@ -280,5 +280,4 @@ static LEAF int32_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
     return force < 0 ? -most : most;
 }
 
-#define PLASTIC_SHARE_INLINE inline
 #include "contact.h"

@@ -6,27 +6,23 @@
 #include <stdint.h>
 
 /*
- * zeta' - zeta below z_ss, from the gap z_ss - zeta > 0 and the displacement d > 0, of which a part is
- * plastic: cases 2 and 3.
+ * dzeta = zeta' - zeta below z_ss: eq. (13), cases 2 and 3. From y of eq. (12), what of the displacement
+ * d is not plastic, 0 < y <= d, and from the gap z_ss - zeta > 0.
  */
-/*@ requires 0 < gap && 0 <= plastic < d;
+/*@ requires 0 < gap && 0 < y;
     assigns \nothing;
-
     // Theorem 1: the state does not pass z_ss
     ensures \result <= gap;
-    // Lemma 1: the deflection changes by between nothing and the displacement...
-    ensures 0 < \result <= d;
-    // ...strict progress, from which Theorem 2 follows: z_ss is reached exactly, in finitely many steps
-    // Lemma 2: plastic displacement has the direction of the motion
-    ensures d - \result >= 0;
+    // Lemmas 1 and 2: the deflection changes by between nothing and the displacement; strict progress,
+    // from which Theorem 2 follows: z_ss is reached exactly, in finitely many steps
+    ensures 0 < \result <= y;
     // The elastic identity: what is not plastic and stays below z_ss is all deflection, to the unit
-    ensures plastic == 0 && d <= gap ==> \result == d;
-    ensures \result == gap || \result == d - plastic;
+    ensures y <= gap ==> \result == y;
+    ensures y >= gap ==> \result == gap;
 */
-static inline int32_t saturated(int32_t gap, int32_t d, int32_t plastic)
+static inline int32_t saturated(int32_t y, int32_t gap)
 {
-    const int32_t y = d - plastic; /* (12) */
-    return y < gap ? y : gap;      /* (13) */
+    return y < gap ? y : gap;
 }
 
 #endif

@@ -250,8 +250,9 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
     {                                                                                              \
         EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift),                                             \
             EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift), EPF_Q31_GAIN_(v_s_inverse, 20, 30),    \
-            EPF_Q31_GAIN_(viscous, (z_shift)-8, 28), EPF_LEADING_(uint32_t, damping, 32),          \
-            EPF_CAST_(int8_t, EPF_EXPONENT_(damping) - 37),                                        \
+            EPF_Q31_GAIN_(viscous, (z_shift)-8, 28),                                               \
+            EPF_DAMPING_LEADING_(uint32_t, damping, 31, 6),                                        \
+            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), 6) - 37),                      \
             EPF_LEADING_(uint32_t, (f_max) / (z_max), 24),                                         \
             EPF_CAST_(uint8_t, 23 + (z_shift)-EPF_EXPONENT_((f_max) / (z_max))),                   \
             EPF_CAST_(uint8_t, z_shift), (stribeck)                                                \
@@ -263,14 +264,16 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
             EPF_Q15_LEAP_(EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift)),                         \
             EPF_Q15_GAIN_(viscous, (z_shift)-8),                                                   \
             EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), -9) - 22),                     \
-            EPF_CAST_(uint16_t,                                                                    \
-                      EPF_SCALED_(damping, 15 - EPF_AT_LEAST_(EPF_EXPONENT_(damping), -9))),       \
+            EPF_DAMPING_LEADING_(uint16_t, damping, 15, -9),                                       \
             EPF_LEADING_(uint16_t, (f_max) / (z_max), 16),                                         \
             EPF_CAST_(uint8_t, (z_shift)-10 - EPF_EXPONENT_((f_max) / (z_max))),                   \
             EPF_CAST_(uint8_t, z_shift), (stribeck)                                                \
     }
 
+/* The leading bits of the damping; so small a one that it would need too long a shift has fewer */
 #define EPF_AT_LEAST_(n, least) ((n) > (least) ? (n) : (least))
+#define EPF_DAMPING_LEADING_(type, x, highest, least) \
+    EPF_CAST_(type, EPF_SCALED_(x, (highest)-EPF_AT_LEAST_(EPF_EXPONENT_(x), least)))
 
 #define EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift)                                \
     EPF_UNITS_(z_max, z_shift), EPF_UNITS_(z_c, z_shift), EPF_UNITS_(z_ba, z_shift), \
