@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Interrupts a program in the middle of its work: interrupt SIGNAL PROGRAM ARGUMENT...
+ *
+ * The program reads record.csv, which is a FIFO: it gets two rows, and then nothing. As soon as it has
+ * made a temporary file, *.tmp, it gets the signal of that number. Ends as a shell would: with the
+ * exit status of the program, or 128 + the signal that ended it; with 99 if nothing was interrupted.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include <fcntl.h>
+#include <glob.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+static const char record[] = "record.csv";
+static const char rows[] = "time_s,position_m\n0,0\n0.5,1\n";
+enum { NOT_INTERRUPTED = 99 };
+
+/* The signal may be ignored here, in the background of a script; not so in the program */
+static pid_t start(char **command, int interrupt)
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        (void)signal(interrupt, SIG_DFL);
+        (void)execv(command[0], command);
+        _exit(NOT_INTERRUPTED);
+    }
+    return child;
+}
+
+/* Looks for ten seconds */
+static bool wait_for_temporary(void)
+{
+    static const struct timespec pause = {.tv_nsec = 10 * 1000 * 1000};
+    glob_t found;
+    for (int i = 0; i < 1000; i++) {
+        if (glob("*.tmp", 0, NULL, &found) == 0) {
+            globfree(&found);
+            return true;
+        }
+        (void)nanosleep(&pause, NULL);
+    }
+    return false;
+}
+
+int main(int argc, char **argv)
+{
+    int status;
+    if (argc < 3 || mkfifo(record, 0600) != 0) {
+        return NOT_INTERRUPTED;
+    }
+    const int interrupt = (int)strtol(argv[1], NULL, 10);
+    const pid_t child = start(argv + 2, interrupt);
+    const int feed = open(record, O_WRONLY);
+    const bool fed = write(feed, rows, sizeof rows - 1) == (ssize_t)sizeof rows - 1;
+    const bool ready = fed && wait_for_temporary();
+
+    (void)kill(child, ready ? interrupt : SIGKILL);
+    const bool ended = waitpid(child, &status, 0) == child;
+    (void)close(feed);
+    (void)unlink(record);
+    if (!ready || !ended) {
+        return NOT_INTERRUPTED;
+    }
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
