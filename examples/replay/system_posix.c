@@ -108,8 +108,10 @@ static bool has_name(const struct stat *file, const char *name)
 bool system_is_stream(const char *name)
 {
     struct stat file;
-    return stat(name, &file) == 0 && (!S_ISREG(file.st_mode) || shared_descriptor(&file) >= 0 ||
-                                      !has_name(&file, name));
+    if (stat(name, &file) != 0) {
+        return false; /* yet to be made */
+    }
+    return !S_ISREG(file.st_mode) || shared_descriptor(&file) >= 0 || !has_name(&file, name);
 }
 
 FILE *system_open_stream(const char *name)
@@ -161,7 +163,7 @@ FILE *system_create(char *temporary, const char *name)
         return NULL;
     }
     catch_interrupts(&all);
-    (void)sigprocmask(SIG_BLOCK, &all, &before); /* there is no file without somebody to remove it */
+    (void)sigprocmask(SIG_BLOCK, &all, &before); /* not between the file and the note of it */
     const int descriptor = open(temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
     if (descriptor >= 0) {
         memcpy(unfinished, temporary, (size_t)length + 1);

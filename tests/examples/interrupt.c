@@ -34,10 +34,9 @@ static pid_t start(char **command, int interrupt)
     return child;
 }
 
-/* Looks for ten seconds */
 static bool wait_for_temporary(void)
 {
-    static const struct timespec pause = {.tv_nsec = 10 * 1000 * 1000};
+    static const struct timespec pause = {.tv_nsec = 10000000}; /* for ten seconds */
     glob_t found;
     for (int i = 0; i < 1000; i++) {
         if (glob("*.tmp", 0, NULL, &found) == 0) {
