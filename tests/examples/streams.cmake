@@ -8,16 +8,7 @@
 
 cmake_policy(VERSION 3.16)
 
-set(arguments)
-set(ours FALSE)
-math(EXPR last "${CMAKE_ARGC} - 1")
-foreach(i RANGE ${last})
-    if(ours)
-        list(APPEND arguments "${CMAKE_ARGV${i}}")
-    elseif(CMAKE_ARGV${i} STREQUAL "--")
-        set(ours TRUE)
-    endif()
-endforeach()
+include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
 
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
