@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Interrupts a program in the middle of its work: interrupt SIGNAL PROGRAM ARGUMENT...
+ * Interrupts a program in the middle of its work: interrupt SIGNAL default|ignored PROGRAM ARGUMENT...
  *
  * The program reads record.csv, which is a FIFO: it gets two rows, and then nothing. As soon as it has
- * made a temporary file, *.tmp, it gets the signal of that number. Ends as a shell would: with the
- * exit status of the program, or 128 + the signal that ended it; with 99 if nothing was interrupted.
+ * made a temporary file, *.tmp, it gets the signal of that number, which it was told to ignore or not;
+ * then its record ends. Ends as a shell would: with the exit status of the program, or 128 + the signal
+ * that ended it; with 99 if nothing was interrupted.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <fcntl.h>
@@ -12,6 +13,7 @@
 #include <signal.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <sys/wait.h>
@@ -22,12 +24,12 @@ static const char record[] = "record.csv";
 static const char rows[] = "time_s,position_m\n0,0\n0.5,1\n";
 enum { NOT_INTERRUPTED = 99 };
 
-/* The signal may be ignored here, in the background of a script; not so in the program */
-static pid_t start(char **command, int interrupt)
+/* Whether the signal is ignored here, as in the background of a script, does not matter */
+static pid_t start(char **command, int interrupt, bool ignored)
 {
     const pid_t child = fork();
     if (child == 0) {
-        (void)signal(interrupt, SIG_DFL);
+        (void)signal(interrupt, ignored ? SIG_IGN : SIG_DFL);
         (void)execv(command[0], command);
         _exit(NOT_INTERRUPTED);
     }
@@ -51,18 +53,18 @@ static bool wait_for_temporary(void)
 int main(int argc, char **argv)
 {
     int status;
-    if (argc < 3 || mkfifo(record, 0600) != 0) {
+    if (argc < 4 || mkfifo(record, 0600) != 0) {
         return NOT_INTERRUPTED;
     }
     const int interrupt = (int)strtol(argv[1], NULL, 10);
-    const pid_t child = start(argv + 2, interrupt);
+    const pid_t child = start(argv + 3, interrupt, strcmp(argv[2], "ignored") == 0);
     const int feed = open(record, O_WRONLY);
     const bool fed = write(feed, rows, sizeof rows - 1) == (ssize_t)sizeof rows - 1;
     const bool ready = fed && wait_for_temporary();
 
     (void)kill(child, ready ? interrupt : SIGKILL);
-    const bool ended = waitpid(child, &status, 0) == child;
     (void)close(feed);
+    const bool ended = waitpid(child, &status, 0) == child;
     (void)unlink(record);
     if (!ready || !ended) {
         return NOT_INTERRUPTED;
