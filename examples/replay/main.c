@@ -100,23 +100,41 @@ static void show(const replay_t *replay, const options_t *options)
     }
 }
 
+static int replay_and_show(options_t *options)
+{
+    int result = collect_parameters(options);
+    replay_t replay;
+    if (result == EXIT_SUCCESS) {
+        result = replay_record(&replay, options);
+    }
+    if (result == EXIT_SUCCESS) {
+        show(&replay, options);
+    }
+    return result;
+}
+
+/* What was printed may still wait in a buffer; whether it arrives shows now */
+static int finish_stdout(void)
+{
+    const bool printed = !ferror(stdout);
+    if (fclose(stdout) == 0 && printed) {
+        return EXIT_SUCCESS;
+    }
+    problem("stdout: cannot write everything");
+    return EXIT_DATA;
+}
+
 int main(int argc, char **argv)
 {
     options_t options;
     if (!options_read(&options, argc, argv)) {
         return EXIT_USAGE;
     }
+    int result = EXIT_SUCCESS;
     if (options.help) {
         options_print_help();
-        return EXIT_SUCCESS;
+    } else {
+        result = replay_and_show(&options);
     }
-    int result = collect_parameters(&options);
-    replay_t replay;
-    if (result == EXIT_SUCCESS) {
-        result = replay_record(&replay, &options);
-    }
-    if (result == EXIT_SUCCESS) {
-        show(&replay, &options);
-    }
-    return result;
+    return result == EXIT_SUCCESS ? finish_stdout() : result;
 }

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
+#include "picture.h"
 #include "problem.h"
+#include "system.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -145,7 +147,7 @@ static void fill_in_defaults(options_t *options)
     if (options->out == NULL) {
         options->out = "replay.csv";
     }
-    if (options->picture == NULL && !options->no_picture) {
+    if (options->picture == NULL && !options->no_picture && !system_is_stream(options->out)) {
         options->picture = picture_by_default(options);
     }
 }
@@ -171,12 +173,42 @@ static bool choose_variant(options_t *options)
 /* No file may be written over another that is in use */
 static bool different(const char *written, const char *other)
 {
-    if (written == NULL || other == NULL || strcmp(written, other) != 0) {
+    if (written == NULL || other == NULL || !system_same_file(written, other)) {
         return true;
     }
-    problem("command line: expected a file of its own for each purpose, found \"%.200s\" twice",
-            written);
+    problem("command line: expected a file of its own for each purpose, found one twice: "
+            "\"%.200s\", \"%.200s\"",
+            written, other);
     return false;
+}
+
+/* From every file that is read, and from one another */
+static bool outputs_are_different(const options_t *options)
+{
+    const char *const script = options->picture == NULL ? NULL : picture_script;
+    const char *const inputs[] = {options->record, options->params_file, script};
+    bool good = different(options->out, options->picture);
+    for (size_t i = 0; good && i < sizeof inputs / sizeof inputs[0]; i++) {
+        good = different(options->out, inputs[i]) && different(options->picture, inputs[i]);
+    }
+    return good;
+}
+
+static bool check_picture(const options_t *options)
+{
+    if (options->picture == NULL) {
+        return true;
+    }
+    if (options->no_picture) {
+        problem("command line: expected --picture or --no-picture, found both");
+        return false;
+    }
+    if (system_is_stream(options->out)) {
+        problem("command line: --picture: expected a result that can be read again, " FOUND,
+                options->out);
+        return false;
+    }
+    return true;
 }
 
 bool options_read(options_t *options, int argc, char **argv)
@@ -185,14 +217,6 @@ bool options_read(options_t *options, int argc, char **argv)
     if (!read_arguments(options, argc, argv)) {
         return false;
     }
-    if (options->no_picture && options->picture != NULL) {
-        problem("command line: expected --picture or --no-picture, found both");
-        return false;
-    }
     fill_in_defaults(options);
-    return choose_variant(options) && different(options->out, options->record) &&
-           different(options->out, options->params_file) &&
-           different(options->out, options->picture) &&
-           different(options->picture, options->record) &&
-           different(options->picture, options->params_file);
+    return check_picture(options) && choose_variant(options) && outputs_are_different(options);
 }

@@ -6,10 +6,16 @@
 bool output_open(output_t *output, const char *name)
 {
     output->name = name;
-    (void)snprintf(output->temporary, sizeof output->temporary, "%.1000s.epf_replay.tmp", name);
-    output->file = fopen(output->temporary, "wb");
+    output->is_stream = system_is_stream(name);
+    if (output->is_stream) {
+        output->file = system_open_stream(name);
+    } else if (system_follow(output->target, name)) {
+        output->file = system_create(output->temporary, output->target);
+    } else {
+        output->file = NULL;
+    }
     if (output->file == NULL) {
-        problem("%s: cannot write %s", name, output->temporary);
+        problem("%.1000s: cannot write the file", name);
     }
     return output->file != NULL;
 }
@@ -17,25 +23,34 @@ bool output_open(output_t *output, const char *name)
 static bool put_in_place(const output_t *output)
 {
 #ifdef _WIN32
-    (void)remove(output->name); /* there, rename does not replace */
+    (void)remove(output->target); /* there, rename does not replace */
 #endif
-    return rename(output->temporary, output->name) == 0;
+    return rename(output->temporary, output->target) == 0;
+}
+
+static void remove_temporary(const output_t *output)
+{
+    if (!output->is_stream) {
+        (void)remove(output->temporary);
+        system_keep();
+    }
 }
 
 bool output_commit(output_t *output)
 {
     const bool written = !ferror(output->file);
     const bool closed = fclose(output->file) == 0;
-    if (written && closed && put_in_place(output)) {
+    if (written && closed && (output->is_stream || put_in_place(output))) {
+        system_keep();
         return true;
     }
-    problem("%s: cannot write the file", output->name);
-    (void)remove(output->temporary);
+    problem("%.1000s: cannot write the file", output->name);
+    remove_temporary(output);
     return false;
 }
 
 void output_discard(output_t *output)
 {
     (void)fclose(output->file);
-    (void)remove(output->temporary);
+    remove_temporary(output);
 }

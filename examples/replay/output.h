@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A file that appears complete or not at all: it is written beside its place and renamed last. */
+/* A file that appears complete or not at all: it is written beside its place and renamed last. What is
+   no ordinary file, a FIFO or a device, is written as it stands; at the end of a link, its file is. */
 #ifndef OUTPUT_H
 #define OUTPUT_H
+
+#include "system.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -9,7 +12,9 @@
 typedef struct {
     FILE *file;
     const char *name;
-    char temporary[1100];
+    bool is_stream; /* written as it stands: neither target nor temporary matters */
+    char target[SYSTEM_NAME_MAX + 1];
+    char temporary[SYSTEM_NAME_MAX + 1];
 } output_t;
 
 /* False, and the problem reported, if the file cannot be written. The name must outlive it. */
@@ -18,7 +23,7 @@ bool output_open(output_t *output, const char *name);
 /* Puts the file in its place. False, and the problem reported, if anything could not be written. */
 bool output_commit(output_t *output);
 
-/* Leaves things as they were before output_open */
+/* Leaves things as they were before output_open; a stream keeps what it was given */
 void output_discard(output_t *output);
 
 #endif

@@ -1,42 +1,39 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
+#include "system.h"
+#include "text.h"
+
+#include <ctype.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-static const char script[] = EPF_REPLAY_DIR "/plot.gp";
+const char picture_script[] = EPF_REPLAY_DIR "/plot.gp";
 
-#ifdef _WIN32
-static const char silently[] = ">NUL 2>&1";
-#else
-static const char silently[] = ">/dev/null 2>&1";
-#endif
+/* gnuplot runs a name that begins with < or | as a command, and ~, - and $ have meanings, too */
+typedef struct {
+    char text[SYSTEM_NAME_MAX + 3];
+} gnuplot_name_t;
 
-/* Made only of characters that mean nothing to any shell */
-static bool is_harmless(const char *name)
+static gnuplot_name_t gnuplot_name(const char *name)
 {
-    return name[strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
-                             "_./+-")] == '\0';
+    gnuplot_name_t made;
+    const bool is_plain = isalnum((unsigned char)*name) || strchr("_./", *name) != NULL;
+    (void)snprintf(made.text, sizeof made.text, "%s%s", is_plain ? "" : "./", name);
+    return made;
 }
 
 bool picture_draw(const char *data, const char *picture)
 {
-    char command[4096];
-    const int length = snprintf(command, sizeof command, "gnuplot -c %s %s %s %s", script, data,
-                                picture, silently);
-    const bool fits = length > 0 && (size_t)length < sizeof command;
-    if (!fits || !is_harmless(script) || !is_harmless(data) || !is_harmless(picture)) {
-        return false;
-    }
-    (void)fflush(NULL);          /* what is in our buffers comes before what the command does */
-    return system(command) == 0; /* NOLINT(cert-env33-c): every word of it is harmless */
+    const gnuplot_name_t from = gnuplot_name(data);
+    const gnuplot_name_t to = gnuplot_name(picture);
+    return system_gnuplot(picture_script, from.text, to.text);
 }
 
 /* Between apostrophes a POSIX shell takes everything as it is, except an apostrophe */
 static void print_word(const char *word)
 {
-    if (is_harmless(word)) {
+    if (text_is_plain(word)) {
         (void)printf(" %s", word);
         return;
     }
@@ -53,9 +50,11 @@ static void print_word(const char *word)
 
 void picture_print_command(const char *data, const char *picture)
 {
+    const gnuplot_name_t from = gnuplot_name(data);
+    const gnuplot_name_t to = gnuplot_name(picture);
     (void)fputs("gnuplot -c", stdout);
-    print_word(script);
-    print_word(data);
-    print_word(picture);
+    print_word(picture_script);
+    print_word(from.text);
+    print_word(to.text);
     (void)putchar('\n');
 }

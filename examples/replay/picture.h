@@ -5,8 +5,10 @@
 
 #include <stdbool.h>
 
-/* Has gnuplot draw `data` into `picture`. False if that did not work: gnuplot may be missing, and
-   names with blanks or other characters that a shell could misunderstand are not passed to one. */
+/* The name of the file that tells gnuplot how to draw */
+extern const char picture_script[];
+
+/* Has gnuplot draw `data` into `picture`. False if that did not work: gnuplot may be missing. */
 bool picture_draw(const char *data, const char *picture);
 
 /* Prints the command that draws the picture, ready to be pasted into a shell */

@@ -198,5 +198,9 @@ int main(int argc, char **argv)
     }
     (void)printf("%s written; half the step moves no position by more than %.1e m\n", argv[1],
                  deviation);
+    if (fflush(stdout) != 0) {
+        (void)fputs("epf_simulate: stdout: cannot write everything\n", stderr);
+        return EXIT_FAILURE;
+    }
     return EXIT_SUCCESS;
 }

@@ -80,6 +80,12 @@ char *text_trim(char *text)
     return text;
 }
 
+bool text_is_plain(const char *text)
+{
+    return text[strspn(text, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
+                             "_./+-")] == '\0';
+}
+
 bool text_number(const char *text, double *number)
 {
     char *end;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Text files line by line, and the two things done to a piece of a line: trim it, read a number. */
+/* Text files line by line, and what is done to a piece of a line: trim it, read a number. */
 #ifndef TEXT_H
 #define TEXT_H
 
@@ -28,6 +28,9 @@ void text_close(text_t *text);
 
 /* The same text without the white space around it; changes it in place */
 char *text_trim(char *text);
+
+/* True if a shell takes the text for one word, and changes nothing in it */
+bool text_is_plain(const char *text);
 
 /* True if the whole text is one finite decimal number: no nan, no inf, no 0x10, no 1,5 */
 bool text_number(const char *text, double *number);

@@ -2,10 +2,12 @@
 #
 #   cmake -DPROGRAM=<path> -DSCRATCH=<directory> -DSTATUS=<exit status> [...] -P run.cmake -- <args>
 #
-#   RECORD, PARAMS    files to put there as record.csv and friction.params
+#   RECORD, PARAMS    files to put there as record.csv and friction.params; they must not change
+#   LINK, TO          a symbolic link to put there, and what it says
+#   HARD_LINK         another name to give to record.csv
 #   STDERR            regular expression that the one line on stderr must match; without: no line
 #   STDOUT            regular expression that stdout must match
-#   MADE              the files, and no others, that a success makes, with blanks between
+#   MADE              the files, and no others, that a success makes, as a shell would be told
 #   RESULT, EXPECTED  a file that was made, and one that it must equal
 #   AGAIN             a file that a second run with --out <file> makes, equal to RESULT
 #   RMS_AT_MOST       bound for the rms residual that stdout tells, N
@@ -15,16 +17,9 @@
 # A failure must print nothing on stdout and leave the directory as it was, with the result of an
 # earlier run in it.
 
-set(arguments)
-math(EXPR last "${CMAKE_ARGC} - 1")
-set(ours FALSE)
-foreach(i RANGE ${last})
-    if(ours)
-        list(APPEND arguments "${CMAKE_ARGV${i}}")
-    elseif(CMAKE_ARGV${i} STREQUAL "--")
-        set(ours TRUE)
-    endif()
-endforeach()
+cmake_policy(VERSION 3.16)
+
+include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
 
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
@@ -36,6 +31,14 @@ endif()
 if(PARAMS)
     configure_file("${PARAMS}" "${SCRATCH}/friction.params" COPYONLY)
     list(APPEND there friction.params)
+endif()
+if(LINK)
+    file(CREATE_LINK "${TO}" "${SCRATCH}/${LINK}" SYMBOLIC)
+    list(APPEND there ${LINK})
+endif()
+if(HARD_LINK)
+    file(CREATE_LINK "${SCRATCH}/record.csv" "${SCRATCH}/${HARD_LINK}")
+    list(APPEND there ${HARD_LINK})
 endif()
 if(NOT STATUS EQUAL 0)
     file(WRITE "${SCRATCH}/replay.csv" "earlier")
@@ -91,7 +94,7 @@ if(NOT STATUS EQUAL 0)
 endif()
 
 file(GLOB found RELATIVE "${SCRATCH}" "${SCRATCH}/*")
-separate_arguments(MADE)
+separate_arguments(MADE UNIX_COMMAND "${MADE}")
 list(APPEND there ${MADE})
 list(SORT there)
 list(SORT found)
@@ -99,6 +102,12 @@ if(NOT "${found}" STREQUAL "${there}")
     message(SEND_ERROR "expected the files ${there}, found ${found}")
 endif()
 
+if(RECORD)
+    check_equal("${SCRATCH}/record.csv" "${RECORD}")
+endif()
+if(PARAMS)
+    check_equal("${SCRATCH}/friction.params" "${PARAMS}")
+endif()
 if(EXPECTED)
     check_equal("${SCRATCH}/${RESULT}" "${EXPECTED}")
 endif()

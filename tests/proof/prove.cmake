@@ -7,6 +7,11 @@ foreach(tool frama-c why3 z3 cvc4)
     endif()
 endforeach()
 
+# Why3 tells a shell the names of its scratch files, as they are
+if("$ENV{TMPDIR}" MATCHES "[^-+._/a-zA-Z0-9]")
+    set(ENV{TMPDIR} /tmp)
+endif()
+
 # The provers, known to a configuration of our own
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
