@@ -58,19 +58,20 @@ static IN_LINE const point_t *set_point(contact_t *ep, signal_t v)
 
 /* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
 
-/* y for zeta = z_ba + beyond, eq. (12): d less alpha zeta/z_ss of it. With u the share of the span,
-   zeta/z_ss is 1 - (1 - u) span/z_ss. */
-/*@ requires \valid_read(point) && 0 <= point->span_zeros <= 31;
-    requires 0 < beyond < STATE_LIMIT && 0 < d;
+/* y for zeta above z_ba, eq. (12): d less the plastic part alpha zeta/z_ss of it. With w the share that
+   the gap z_ss - zeta has of the span z_ss - z_ba, 1 - alpha is a half period of a sine of w, eq. (10),
+   and zeta/z_ss is 1 - w span/z_ss. */
+/*@ requires \valid_read(point) && valid_span(point);
+    requires 0 < gap && 0 < d;
     assigns \nothing;
     ensures 0 < \result <= d; // strict progress
 */
-static LEAF int32_t deflecting_part(const point_t *point, int32_t beyond, int32_t d)
+static LEAF int32_t deflecting_part(const point_t *point, int32_t gap, int32_t d)
 {
-    const fraction_t u = advance_in_span(point, beyond);
-    const fraction_t short_of_z_ss = product((fraction_t)(ONE - u), point->span_share);
-    const fraction_t plastic = product(half_sine(u), (fraction_t)(ONE - short_of_z_ss));
-    return d - (int32_t)part((uint32_t)d, plastic);
+    const fraction_t w = share_of_span(point, (uint32_t)gap);
+    const fraction_t alpha = ONE - half_sine(w);
+    const fraction_t zeta_by_z_ss = ONE - product(w, point->span_share);
+    return d - (int32_t)part((uint32_t)d, product(alpha, zeta_by_z_ss));
 }
 
 /* dzeta for so many counts of displacement, more than 0, in the direction in which z is zeta */
@@ -104,8 +105,7 @@ static IN_LINE int32_t deflection(const coeffs_t *c, const point_t *point, int32
     }
     const int32_t d = (int32_t)(counts * c->unit);
     /*@ assert d == counts * c->unit && 0 < d; */
-    const int32_t beyond = zeta - c->z_ba;
-    return saturated(beyond > 0 ? deflecting_part(point, beyond, d) : d, gap);
+    return saturated(zeta > c->z_ba ? deflecting_part(point, gap, d) : d, gap);
 }
 
 /* The state after a displacement */
@@ -137,15 +137,15 @@ static IN_LINE void move(contact_t *ep, const point_t *point, signal_t dx)
 */
 static LEAF uint32_t damping_term(const coeffs_t *c, uint32_t distance, duration_t dt)
 {
-    const inverse_t inverse = inverse_of_time(dt);
-    const int shift = c->damping_shift + inverse.zeros;
+    const int zeros = zeros_of_time(dt);
+    const int shift = c->damping_shift + zeros;
     if (shift > 0) {
         if (distance >> (32 - shift) != 0) {
             return TERM_MAX; /* 2^29 at the least: both factors below are 1/2 or more */
         }
         distance <<= shift;
     }
-    const uint32_t p = part(part(distance, c->damping), inverse.mantissa);
+    const uint32_t p = part(part(distance, c->damping), inverse_of_time(dt, zeros));
     const uint32_t term = shift < 0 ? shifted_down(p, -shift) : p;
     return term < TERM_MAX ? term : TERM_MAX;
 }
@@ -319,7 +319,7 @@ int32_t EPF(alpha)(const coeffs_t *coeffs, int32_t z, signal_t v)
     }
     point_t point;
     prepare(coeffs, z_ss, 0, &point);
-    return in_q30(half_sine(advance_in_span(&point, zeta - coeffs->z_ba)));
+    return in_q30((fraction_t)(ONE - half_sine(share_of_span(&point, (uint32_t)(z_ss - zeta)))));
 }
 
 /* A contact at rest: no displacement is left that a damping or viscous term could belong to */

@@ -61,25 +61,19 @@ static inline int32_t along(int32_t s, int32_t x)
 #endif
 }
 
-/* A positive number moved up so that its highest bit is the 32nd: x 2^zeros */
-typedef struct {
-    uint32_t mantissa;
-    int zeros;
-} normal_t;
-
-/* The same where at most 15 zeros are left, and so many were moved already */
-/*@ requires 65536 <= x && 0 <= zeros <= 16;
+/* How far x can be moved up until its highest bit is the 32nd, which is one of the upper 16 now */
+/*@ requires 65536 <= x;
     assigns \nothing;
-    ensures zeros <= \result.zeros <= zeros + 15 && 2147483648 <= \result.mantissa;
-    ensures x < 2147483648 ==> zeros + 1 <= \result.zeros;
-    ensures 1048576 <= x ==> \result.zeros <= zeros + 11;
+    ensures 0 <= \result <= 15;
+    ensures 1048576 <= x ==> \result <= 11;
+    ensures x < 2147483648 ==> 1 <= \result;
 */
-static inline normal_t normalised_further(uint32_t x, int zeros)
+static inline int leading_zeros_16(uint32_t x)
 {
 #ifdef __ARM_FEATURE_CLZ /* one instruction; a test compares the two on the cores that have it */
-    const int leading = __builtin_clz(x);
-    return (normal_t){x << leading, zeros + leading};
+    return __builtin_clz(x);
 #else
+    int zeros = 0;
     if (x / 0x1000000u == 0) {
         x *= 0x100u;
         zeros += 8;
@@ -92,25 +86,23 @@ static inline normal_t normalised_further(uint32_t x, int zeros)
         x *= 4u;
         zeros += 2;
     }
-    if (x / 0x80000000u == 0) {
-        x *= 2u;
-        zeros += 1;
-    }
-    return (normal_t){x, zeros};
+    return x / 0x80000000u == 0 ? zeros + 1 : zeros;
 #endif
 }
 
+/* The same for any x > 0 */
 /*@ requires 0 < x;
     assigns \nothing;
-    ensures 0 <= \result.zeros <= 31 && 2147483648 <= \result.mantissa;
-    ensures (x < 2147483648 ==> 1 <= \result.zeros) && (x < 65536 ==> 16 <= \result.zeros);
+    ensures 0 <= \result <= 31;
+    ensures 256 <= x ==> \result <= 23;
+    ensures x < 2147483648 ==> 1 <= \result;
 */
-static inline normal_t normalised(uint32_t x)
+static inline int leading_zeros(uint32_t x)
 {
 #ifdef __ARM_FEATURE_CLZ
-    return normalised_further(x, 0);
+    return __builtin_clz(x);
 #else
-    return x / 0x10000u == 0 ? normalised_further(x * 0x10000u, 16) : normalised_further(x, 0);
+    return x / 0x10000u == 0 ? 16 + leading_zeros_16(x * 0x10000u) : leading_zeros_16(x);
 #endif
 }
 

@@ -28,6 +28,7 @@ typedef epf_q15_t contact_t;
     predicate valid_gains(coeffs_t *c) =
       c->ratio_limit * c->ratio < 61440 * 65536 && 3 <= c->viscous_shift <= 31 &&
       -31 <= c->damping_shift <= 1 && 1 <= c->output_shift <= 31;
+    predicate valid_span(point_t *p) = p->span_shift <= 14;
 */
 #include "valid.h"
 
@@ -90,30 +91,30 @@ static inline uint32_t part(uint32_t x, uint16_t a)
  * About 2^31/m, and less, for 2^15 <= m < 2^16: two steps of Newton's iteration, x (2 - m x/2^31), from a
  * straight line within 1/16.
  */
-/*@ requires 32768 <= m;
-    assigns \nothing;
-*/
-static OUT_OF_LINE uint16_t reciprocal(uint16_t m)
+/*@ assigns \nothing; */
+static OUT_OF_LINE uint16_t inverse(uint16_t m)
 {
     uint16_t x = (uint16_t)(92400u - (m - m / 16u));
     x = high(2u * wide(x, high(0u - wide(m, x))));
     return high(2u * wide(x, high(0u - wide(m, x))));
 }
 
-/* A reciprocal of an integer x, as 2^31/(x 2^zeros) */
-typedef struct {
-    uint16_t mantissa;
-    int zeros;
-} inverse_t;
-
+/* How far a time can be moved up, and 2^31 over the 16 bits that come out */
 /*@ requires 0 < dt;
     assigns \nothing;
-    ensures 0 <= \result.zeros <= 15;
+    ensures 0 <= \result <= 15;
 */
-static inline inverse_t inverse_of_time(uint16_t dt)
+static inline int zeros_of_time(uint16_t dt)
 {
-    const normal_t time = normalised_further((uint32_t)dt * 65536u, 0);
-    return (inverse_t){reciprocal(high(time.mantissa)), time.zeros};
+    return leading_zeros_16((uint32_t)dt * 65536u);
+}
+
+/*@ requires 0 <= zeros <= 15;
+    assigns \nothing;
+*/
+static inline uint16_t inverse_of_time(uint16_t dt, int zeros)
+{
+    return inverse((uint16_t)(dt << zeros));
 }
 
 /* sigma_2 |v|, by a gain that has a limit */
@@ -135,8 +136,9 @@ static inline uint32_t viscous_term(const coeffs_t *c, uint32_t speed)
 */
 static inline uint16_t lorentzian(uint32_t q)
 {
-    const normal_t x = normalised_further(1048576u + q, 0);
-    return (uint16_t)(reciprocal(high(x.mantissa)) >> (11 - x.zeros));
+    const uint32_t x = 1048576u + q;
+    const int zeros = leading_zeros_16(x);
+    return (uint16_t)(inverse(high(x << zeros)) >> (11 - zeros));
 }
 
 /* exp(-q), q in Q20. As in f32.c: 2^-n times 2^-r, 0 <= r < 1 */
@@ -174,46 +176,61 @@ static inline uint16_t stribeck_weight(const coeffs_t *c, uint32_t speed)
 
 /* ---- the operating point -------------------------------------------------------------------- */
 
-/* The reciprocal of both is made of truncated factors: 2 less, and that of one is never too large */
-enum { EXCESS = 2 };
+/* x 2^n, of which the lower 32 bits */
+/*@ requires -31 <= n <= 31;
+    assigns \nothing;
+*/
+static inline uint32_t moved(uint32_t x, int n)
+{
+    return n < 0 ? shifted_down(x, -n) : x << n;
+}
 
-/* One reciprocal, of span z_ss, for both that of the span and span/z_ss */
+/* A divisor */
+/*@ requires x < 65536;
+    assigns \nothing;
+    ensures 0 < \result && x <= \result;
+*/
+static inline uint16_t at_least_1(uint32_t x)
+{
+    return (uint16_t)(x != 0 ? x : 1u);
+}
+
+/* What the update needs of the span z_ss - z_ba: its reciprocal and span/z_ss, by one reciprocal of
+   span z_ss. 16 bits of z_ss are enough, but a short span must not lose its leading ones. */
 /*@ requires valid_coeffs(c) && c->z_c <= z_ss <= c->z_max;
+    requires -TERM_MAX <= viscous <= TERM_MAX;
     requires \valid(point) && \separated(c, point);
     assigns *point;
-    ensures point->z_ss == z_ss && point->viscous == viscous && 0 <= point->span_zeros <= 31;
+    ensures point->z_ss == z_ss && point->viscous == viscous && point->span_shift <= 14;
 */
 static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
-    const normal_t normal_span = normalised((uint32_t)(z_ss - c->z_ba));
-    const normal_t normal_whole = normalised((uint32_t)z_ss);
-    const uint16_t span = high(normal_span.mantissa);
-    const uint16_t whole = high(normal_whole.mantissa);
+    const uint32_t exact_span = (uint32_t)(z_ss - c->z_ba);
+    const int span_shift = exact_span < 67108864u ? 10 : 14;
+    const uint16_t span = at_least_1(exact_span >> span_shift);
+    const uint16_t whole = at_least_1((uint32_t)z_ss >> 14);
     const uint32_t both = wide(span, whole);
-    const int up = both < 2147483648u; /* it has 31 or 32 bits */
-    const uint16_t inverse_of_both = reciprocal(high(both << up));
-    const uint16_t span_inverse = (uint16_t)(high(wide(whole, inverse_of_both) << up) - EXCESS);
-    const uint16_t whole_inverse = (uint16_t)(high(wide(span, inverse_of_both) << up) - EXCESS);
-    const uint32_t share = wide(span, whole_inverse) >> (normal_span.zeros - normal_whole.zeros);
+    const int zeros = leading_zeros(both);
+    /* 2^(47 - zeros)/both; 2 less, because it is made of 16 bits of it, and must not be too large */
+    const uint16_t inverse_of_both = (uint16_t)(inverse(high(both << zeros)) - 2u);
     volatile point_t *target = point; /* written before it is published */
     target->z_ss = z_ss;
     target->viscous = viscous;
-    target->span_inverse = span_inverse;
-    target->span_share = (uint16_t)(share / 32768u);
-    target->span_zeros = normal_span.zeros;
+    target->span_inverse = moved(wide(whole, inverse_of_both), zeros - 15);
+    target->span_share =
+        (uint16_t)moved(part(wide(span, span), inverse_of_both), zeros - 29 + span_shift);
+    target->span_shift = (uint8_t)span_shift;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
-/* How far z_ba + beyond is from z_ba to z_ss, 0 to 1 */
-/*@ requires \valid_read(point) && 0 <= point->span_zeros <= 31;
-    requires 0 < beyond;
+/* A gap z_ss - zeta as a share of the span, which is more */
+/*@ requires \valid_read(point) && point->span_shift <= 14;
     assigns \nothing;
 */
-static inline uint16_t advance_in_span(const point_t *point, int32_t beyond)
+static inline uint16_t share_of_span(const point_t *point, uint32_t gap)
 {
-    const uint16_t leading = high((uint32_t)beyond << point->span_zeros);
-    return (uint16_t)(wide(leading, point->span_inverse) / 32768u);
+    return (uint16_t)part(point->span_inverse, (uint16_t)(gap >> point->span_shift));
 }
 
 /* 1/2 + 1/2 sin(pi (u - 1/2)) for 0 <= u <= 1, within 3e-4, and never falling: as in f32.c with one

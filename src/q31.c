@@ -27,6 +27,8 @@ typedef epf_q31_t contact_t;
       c->viscous.mantissa < 536870912 && c->viscous.up <= 31 &&
       -31 <= c->damping_shift <= 0 &&
       c->output < 16777216 && 2 <= c->output_shift <= 63;
+    // Leading zeros of a positive number
+    predicate valid_span(point_t *p) = p->span_zeros <= 31;
 */
 #include "valid.h"
 
@@ -105,20 +107,22 @@ static INVERSE_INLINE uint32_t inverse(uint32_t m)
     return 2u * product(x, ~(2u * product(m, x)));
 }
 
-/* A reciprocal of an integer x, as 2^62/(x 2^zeros) */
-typedef struct {
-    uint32_t mantissa;
-    int zeros;
-} inverse_t;
-
+/* How far a time can be moved up, and 2^62 over what comes out */
 /*@ requires 0 < dt;
     assigns \nothing;
-    ensures 0 <= \result.zeros <= 31;
+    ensures 0 <= \result <= 31;
 */
-static inline inverse_t inverse_of_time(uint32_t dt)
+static inline int zeros_of_time(uint32_t dt)
 {
-    const normal_t time = normalised(dt);
-    return (inverse_t){inverse(time.mantissa), time.zeros};
+    return leading_zeros(dt);
+}
+
+/*@ requires 0 <= zeros <= 31;
+    assigns \nothing;
+*/
+static inline uint32_t inverse_of_time(uint32_t dt, int zeros)
+{
+    return inverse(dt << zeros);
 }
 
 /* x g, for a gain that has a limit */
@@ -148,10 +152,11 @@ static inline uint32_t viscous_term(const coeffs_t *c, uint32_t speed)
 */
 static inline uint32_t lorentzian(uint64_t q)
 {
-    const normal_t x = normalised((uint32_t)(q >> 32) + 256u); /* 1 + q in Q8 ... */
-    const int bits = 32 - x.zeros;
-    const uint32_t mantissa = x.mantissa | (uint32_t)q >> bits; /* ... and what that cuts off */
-    return 4u * (inverse(mantissa) >> (bits - 8));
+    const uint32_t x = (uint32_t)(q >> 32) + 256u; /* 1 + q in Q8 ... */
+    const int zeros = leading_zeros(x);
+    const uint32_t mantissa =
+        x << zeros | (uint32_t)q >> (32 - zeros); /* ... and what that cut off */
+    return 4u * (inverse(mantissa) >> (24 - zeros));
 }
 
 /* exp(-q), q in Q40: 2^-n times 2^-r, 0 <= r < 1, by a polynomial that is exact at both ends */
@@ -187,41 +192,42 @@ static inline uint32_t stribeck_weight(const coeffs_t *c, uint32_t speed)
 
 /* ---- the operating point -------------------------------------------------------------------- */
 
-/* One reciprocal, of span z_ss, for both that of the span and span/z_ss */
+/* What the update needs of the span z_ss - z_ba: its reciprocal and span/z_ss, by one reciprocal of
+   span z_ss */
 /*@ requires valid_coeffs(c) && c->z_c <= z_ss <= c->z_max;
+    requires -TERM_MAX <= viscous <= TERM_MAX;
     requires \valid(point) && \separated(c, point);
     assigns *point;
-    ensures point->z_ss == z_ss && point->viscous == viscous && 0 <= point->span_zeros <= 31;
+    ensures point->z_ss == z_ss && point->viscous == viscous && point->span_zeros <= 31;
 */
 static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
-    const normal_t whole = normalised((uint32_t)z_ss);
-    const normal_t span = normalised((uint32_t)(z_ss - c->z_ba));
-    uint32_t both = product(span.mantissa, whole.mantissa);
+    const int span_zeros = leading_zeros((uint32_t)(z_ss - c->z_ba));
+    const int whole_zeros = leading_zeros((uint32_t)z_ss);
+    const uint32_t span = (uint32_t)(z_ss - c->z_ba) << span_zeros;
+    const uint32_t whole = (uint32_t)z_ss << whole_zeros;
+    const uint32_t both = product(span, whole);
     const int up = both < 2147483648u; /* it has 31 or 32 bits */
-    both <<= up;
-    const uint32_t inverse_of_both = inverse(both);
-    const uint32_t span_inverse = product(whole.mantissa, inverse_of_both) << up;
-    const uint32_t whole_inverse = product(span.mantissa, inverse_of_both) << up;
-    const uint32_t share = product(span.mantissa, whole_inverse); /* in Q30 */
-    volatile point_t *target = point; /* written before it is published */
+    const uint32_t inverse_of_both = inverse(both << up);
+    const uint32_t inverse_of_whole = product(span, inverse_of_both) << up;
+    const uint32_t share = product(span, inverse_of_whole); /* in Q30, but for the zeros */
+    volatile point_t *target = point;                       /* written before it is published */
     target->z_ss = z_ss;
     target->viscous = viscous;
-    target->span_inverse = span_inverse;
-    target->span_share = share >> (span.zeros - whole.zeros) << 2;
-    target->span_zeros = span.zeros;
+    target->span_inverse = product(whole, inverse_of_both) << up;
+    target->span_share = share >> (uint32_t)(span_zeros - whole_zeros) % 32u << 2;
+    target->span_zeros = (uint8_t)span_zeros;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
-/* How far z_ba + beyond is from z_ba to z_ss, 0 to 1 */
-/*@ requires \valid_read(point) && 0 <= point->span_zeros <= 31;
-    requires 0 < beyond;
+/* A gap z_ss - zeta as a share of the span, which is more */
+/*@ requires \valid_read(point) && point->span_zeros <= 31;
     assigns \nothing;
 */
-static inline uint32_t advance_in_span(const point_t *point, int32_t beyond)
+static inline uint32_t share_of_span(const point_t *point, uint32_t gap)
 {
-    return 4u * product((uint32_t)beyond << point->span_zeros, point->span_inverse);
+    return 4u * product(gap << point->span_zeros, point->span_inverse);
 }
 
 /* 1/2 + 1/2 sin(pi (u - 1/2)) for 0 <= u <= 1: the polynomial of f32.c */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What the contracts of a fixed-point variant speak of. Included by q31.c and q15.c after coeffs_t,
- * point_t, contact_t and valid_gains().
+ * point_t, contact_t, valid_leap(), valid_gains() and valid_span().
  */
 
 /*@ // Coefficients as coeffs_init makes them
@@ -14,7 +14,7 @@
     predicate valid_point(coeffs_t *c, point_t *p) =
       c->z_c <= p->z_ss <= c->z_max &&
       -TERM_MAX <= p->viscous <= TERM_MAX &&
-      0 <= p->span_zeros <= 31;
+      valid_span(p);
 
     // z_k, s (z_k - z_{k-1}) and s = sgn dx_k, as a step leaves them. Where the deflection shrinks
     // along the motion it was above z_ss, and is z_ss > 0 now.

@@ -71,9 +71,9 @@ typedef struct {
 typedef struct {
     int32_t z_ss;          /* |z_ss(v)|, u */
     int32_t viscous;       /* sigma_2 v, 2^8 sigma_0 u */
-    uint16_t span_inverse; /* 2^31/(16 leading bits of the span), span = z_ss - z_ba */
+    uint32_t span_inverse; /* 2^(32 + span_shift)/span, span = z_ss - z_ba */
     uint16_t span_share;   /* span/z_ss in Q16 */
-    int span_zeros;        /* leading zeros of the span */
+    uint8_t span_shift;    /* which bits of the span are in its reciprocal */
 } epf_q15_point_t;
 
 /** One contact. Allocate it anywhere, initialise it by epf_q15_init. Only `rejected` is public. */

@@ -75,7 +75,7 @@ typedef struct {
     int32_t viscous;       /* sigma_2 v, 2^8 sigma_0 u */
     uint32_t span_inverse; /* 2^62/(span 2^span_zeros), span = z_ss - z_ba */
     uint32_t span_share;   /* span/z_ss in Q32 */
-    int span_zeros;        /* leading zeros of the span */
+    uint8_t span_zeros;    /* leading zeros of the span */
 } epf_q31_point_t;
 
 /** One contact. Allocate it anywhere, initialise it by epf_q31_init. Only `rejected` is public. */
