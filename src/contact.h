@@ -118,13 +118,13 @@ static IN_LINE int32_t deflection(const coeffs_t *c, const point_t *point, int32
 static IN_LINE void move(contact_t *ep, const point_t *point, signal_t dx)
 {
     const int32_t s = sign(dx);
+    ep->direction = (int8_t)s;
     int32_t dzeta = 0;
     if (s != 0) {
         dzeta = deflection(ep->coeffs, point, along(s, ep->z), magnitude(dx));
         ep->z += along(s, dzeta);
     }
     ep->dzeta = dzeta;
-    ep->direction = (int8_t)s;
 }
 
 /* ---- the force: eq. (14) -------------------------------------------------------------------- */
@@ -167,7 +167,9 @@ static IN_LINE int32_t dissipative_terms(const contact_t *ep, int32_t viscous, u
     if (s == 0) {
         return viscous; /* v' = v */
     }
-    return along(s, guarded_sum(along(s, ep->z), ep->dzeta, magnitude(viscous), damping));
+    const uint32_t along_motion = magnitude(viscous); /* v' = |v| sgn dx */
+    return along(s, ep->dzeta < 0 ? guarded(along(s, ep->z), along_motion, damping)
+                                  : (int32_t)(along_motion + damping));
 }
 
 /* A time of 0 is counted; the counter saturates, so that it never decreases */

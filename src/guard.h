@@ -13,24 +13,19 @@
 #define TERM_MAX 536870912u
 
 /*
- * The viscous and the damping term along the motion, in units of 2^8 sigma_0 u. In case 1 the
- * deflection shrinks (dzeta < 0), so that the damping term opposes the other terms: it is limited to
- * 1 - 2^-10 of them.
+ * The viscous and the damping term along the motion in case 1, in units of 2^8 sigma_0 u. There the
+ * deflection shrinks, so that the damping term opposes the other terms: it is limited to 1 - 2^-10 of
+ * them.
  */
-/*@ requires -STATE_LIMIT < zeta < STATE_LIMIT;
-    requires dzeta < 0 ==> zeta > 0; // Theorem 1, in case 1
+/*@ requires 0 < zeta < STATE_LIMIT; // Theorem 1, in case 1
     requires viscous <= TERM_MAX && damping <= TERM_MAX;
     assigns \nothing;
-    ensures -2 * TERM_MAX <= \result <= 2 * TERM_MAX;
-    ensures dzeta >= 0 ==> \result == viscous + damping;
-    // Theorem 3 in case 1: the guard leaves the force the direction of the motion
-    ensures dzeta < 0 ==> zeta + 256 * \result > 0;
+    ensures -TERM_MAX <= \result <= TERM_MAX;
+    // Theorem 3: the guard leaves the force the direction of the motion
+    ensures zeta + 256 * \result > 0;
 */
-static inline int32_t guarded_sum(int32_t zeta, int32_t dzeta, uint32_t viscous, uint32_t damping)
+static inline int32_t guarded(int32_t zeta, uint32_t viscous, uint32_t damping)
 {
-    if (dzeta >= 0) {
-        return (int32_t)(viscous + damping);
-    }
     const uint32_t others = (uint32_t)zeta / 256u + viscous;
     const uint32_t most = others == 0 ? 0 : others - others / 1024u - 1u;
     return (int32_t)viscous - (int32_t)(damping < most ? damping : most);

@@ -10,9 +10,13 @@
 
 #include <stdint.h>
 
-/* A function that is called, so that the short path around it saves fewer registers */
-#ifdef __GNUC__
+/* A function that is called as it stands, so that the short path around it saves fewer registers; one that is
+   a part of each of its callers */
+#if defined(__clang__)
 #define OUT_OF_LINE __attribute__((noinline))
+#define IN_LINE     inline __attribute__((always_inline))
+#elif defined(__GNUC__)
+#define OUT_OF_LINE __attribute__((noinline, noclone))
 #define IN_LINE     inline __attribute__((always_inline))
 #else
 #define OUT_OF_LINE

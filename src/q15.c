@@ -176,25 +176,6 @@ static inline uint16_t stribeck_weight(const coeffs_t *c, uint32_t speed)
 
 /* ---- the operating point -------------------------------------------------------------------- */
 
-/* x 2^n, of which the lower 32 bits */
-/*@ requires -31 <= n <= 31;
-    assigns \nothing;
-*/
-static inline uint32_t moved(uint32_t x, int n)
-{
-    return n < 0 ? shifted_down(x, -n) : x << n;
-}
-
-/* A divisor */
-/*@ requires x < 65536;
-    assigns \nothing;
-    ensures 0 < \result && x <= \result;
-*/
-static inline uint16_t at_least_1(uint32_t x)
-{
-    return (uint16_t)(x != 0 ? x : 1u);
-}
-
 /* What the update needs of the span z_ss - z_ba: its reciprocal and span/z_ss, by one reciprocal of
    span z_ss. 16 bits of z_ss are enough, but a short span must not lose its leading ones. */
 /*@ requires valid_coeffs(c) && c->z_c <= z_ss <= c->z_max;
@@ -207,18 +188,19 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
 {
     const uint32_t exact_span = (uint32_t)(z_ss - c->z_ba);
     const int span_shift = exact_span < 67108864u ? 10 : 14;
-    const uint16_t span = at_least_1(exact_span >> span_shift);
-    const uint16_t whole = at_least_1((uint32_t)z_ss >> 14);
-    const uint32_t both = wide(span, whole);
-    const int zeros = leading_zeros(both);
+    const uint16_t span = (uint16_t)(exact_span >> span_shift);
+    const uint16_t whole = (uint16_t)((uint32_t)z_ss >> 14);
+    const uint32_t product_of_both = wide(span, whole);
+    const uint32_t both = product_of_both > 65536u ? product_of_both : 65536u;
+    const int zeros = leading_zeros_16(both);
     /* 2^(47 - zeros)/both; 2 less, because it is made of 16 bits of it, and must not be too large */
     const uint16_t inverse_of_both = (uint16_t)(inverse(high(both << zeros)) - 2u);
     volatile point_t *target = point; /* written before it is published */
     target->z_ss = z_ss;
     target->viscous = viscous;
-    target->span_inverse = moved(wide(whole, inverse_of_both), zeros - 15);
+    target->span_inverse = shifted_down(wide(whole, inverse_of_both), 15 - zeros);
     target->span_share =
-        (uint16_t)moved(part(wide(span, span), inverse_of_both), zeros - 29 + span_shift);
+        (uint16_t)shifted_down(part(wide(span, span), inverse_of_both), 29 - span_shift - zeros);
     target->span_shift = (uint8_t)span_shift;
 }
 
@@ -264,7 +246,7 @@ static inline int32_t in_q30(uint16_t fraction)
     ensures z + 256 * rest > 0 ==> \result >= 0;
     ensures z + 256 * rest < 0 ==> \result <= 0;
 */
-static LEAF int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
+static inline int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
 {
     const int32_t force = z / 256 + rest;
     const uint32_t p = part(magnitude(force), c->output);
