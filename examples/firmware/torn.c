@@ -10,11 +10,11 @@
 
 #include <stddef.h>
 
-/* In units of SPEED, each with an operating point of its own. There are two places: that which gets
-   the new point holds the stale one, so half of each would be neither the old nor the new. Old and
-   new differ in every member, also in how many bits z_ss and z_ss - z_ba have; and in more than one
-   byte of the viscous term, which is all that the force reads. */
-enum { STALE = 30, OLD = 100, NEW = 290 };
+/* In units of SPEED. The new operating point is written over the stale one, while the old one is in
+   use. It differs from both in every member, so that a mixture shows: in fixed point also in how many
+   bits z_ss and z_ss - z_ba have, and in several bytes of the viscous term, which is all that force
+   reads. */
+enum { STALE = 30, OLD = 60, NEW = 290 };
 
 /* Two contexts of the firmware: one is the control interrupt here, the other preempts it */
 typedef struct {
@@ -31,14 +31,15 @@ static void set_velocity(void)
     friction_speed(NEW);
 }
 
-/* Within the mixed region, by all of the operating point but z_ss */
+/* Two displacements within the mixed region. This one reaches neither z_ss, but with the old point it
+   passes the new z_ss: it shows where only z_ss is new */
 static void advance(void)
 {
-    friction_advance(5);
+    friction_advance(25);
 }
 
-/* With the new operating point to its z_ss, with the old one not as far as to its own */
-static void advance_across(void)
+/* This one reaches z_ss with the new point, and not with the old: it shows where only z_ss is old */
+static void advance_further(void)
 {
     friction_advance(38);
 }
@@ -77,12 +78,12 @@ static void reverse(void)
 }
 
 static const experiment_t experiments[] = {
-    /* the displacement preempts what has less haste */
+    /* the displacement preempts the velocity, and a reader */
     {"set_velocity", set_velocity, move},
     {"output", output, reverse},
     /* the velocity preempts the displacement */
     {"advance", advance, set_velocity},
-    {"advance across z_ss", advance_across, set_velocity},
+    {"advance further", advance_further, set_velocity},
     {"advance to z_ss", leap, set_velocity},
     {"force", force, set_velocity},
 };
