@@ -111,14 +111,16 @@ static void accepted(const char *why)
     setUp();
 }
 
+/* The next float, of x >= 0 */
 static float above(float x)
 {
     return nextafterf(x, INFINITY);
 }
 
+/* The last float before x > 0 */
 static float below(float x)
 {
-    return nextafterf(x, -INFINITY);
+    return nextafterf(x, 0.0f);
 }
 
 /* All of the size of FLT_MIN or of 1, so that each field may be as small as it can be */
@@ -153,9 +155,9 @@ static void test_params_not_negative_means_0_or_more(void)
     params.sigma_1 = -0.0f;
     params.sigma_2 = -0.0f;
     accepted("0 of either sign");
-    params.sigma_1 = below(0.0f);
+    params.sigma_1 = -above(0.0f);
     refused_as(EPF_ERR_SIGMA_1, "sigma_1");
-    params.sigma_2 = below(0.0f);
+    params.sigma_2 = -above(0.0f);
     refused_as(EPF_ERR_SIGMA_2, "sigma_2");
 }
 
