@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdint.h>
 
 epf_status_t epf_params_check(const epf_params_t *params)
 {
@@ -52,20 +53,89 @@ epf_status_t epf_params_check(const epf_params_t *params)
     return EPF_OK;
 }
 
+/* ---- eq. (22), whose factors together may leave the range of float by far -------------------- */
+
+/* mantissa 2^exponent. The mantissa of a float is an integer below 2^24, so the products and the
+   quotient below stay within float, and only their exponents become large. */
+typedef struct {
+    float mantissa;
+    int exponent;
+} scaled_t;
+
+/* Exactly x, for x >= 0 */
+static scaled_t scaled(float x)
+{
+    const union {
+        float value;
+        uint32_t bits;
+    } word = {x};
+    const int biased = (int)(word.bits >> 23);
+    const uint32_t fraction = word.bits & 0x7fffffu;
+    if (biased == 0) { /* subnormal, or 0 */
+        return (scaled_t){(float)fraction, -149};
+    }
+    return (scaled_t){(float)(fraction | 0x800000u), biased - 150};
+}
+
+/* 2^n. Beyond the range of normal floats, the last of them. */
+static float power_of_2(int n)
+{
+    const int within = n < -126 ? -126 : n > 127 ? 127 : n;
+    const union {
+        uint32_t bits;
+        float value;
+    } word = {(uint32_t)(within + 127) << 23};
+    return word.value;
+}
+
+static scaled_t product(scaled_t a, scaled_t b)
+{
+    return (scaled_t){a.mantissa * b.mantissa, a.exponent + b.exponent};
+}
+
+static scaled_t quotient(scaled_t a, scaled_t b)
+{
+    return (scaled_t){a.mantissa / b.mantissa, a.exponent - b.exponent};
+}
+
+/* a + sign b. Where the exponents differ by more than 126, the lower term is lost in the rounding of
+   the other: a mantissa that is 0 never has an exponent so far above. */
+static scaled_t sum(scaled_t a, float sign, scaled_t b)
+{
+    const int exponent = a.exponent > b.exponent ? a.exponent : b.exponent;
+    const float aligned_a = a.mantissa * power_of_2(a.exponent - exponent);
+    const float aligned_b = b.mantissa * power_of_2(b.exponent - exponent);
+    return (scaled_t){aligned_a + sign * aligned_b, exponent};
+}
+
+/* In two steps, since 2^exponent alone may be out of range; below FLT_MIN 0, above FLT_MAX infinity */
+static float to_float(scaled_t x)
+{
+    const int half = x.exponent / 2;
+    const float value = x.mantissa * power_of_2(half) * power_of_2(x.exponent - half);
+    return value < FLT_MIN ? 0.0f : value;
+}
+
+/* Seven roundings lead to the bound, each wrong by FLT_EPSILON/2 at most: this makes up for them */
+#define NEVER_TOO_HIGH (1.0f - 4.0f * FLT_EPSILON)
+
 float epf_sigma_1_limit(const epf_params_t *params, float v, float dt)
 {
     if (epf_params_check(params) != EPF_OK || !(dt > 0.0f && dt <= FLT_MAX)) {
         return 0.0f;
     }
     const epf_params_t p = *params;
-    if (!(p.f_max > p.f_c)) {
+    const float speed = v > 0.0f ? v : v < 0.0f ? -v : 0.0f; /* NaN: 0 */
+    if (p.f_max == p.f_c || (p.sigma_2 > 0.0f && speed > FLT_MAX)) {
         return INFINITY;
     }
-    const float speed = v > 0.0f ? v : v < 0.0f ? -v : 0.0f; /* NaN: 0 */
-    const float excess = p.f_max - p.f_c;                    /* sigma_0 (z_max - z_c) */
-    const float elastic = p.sigma_0 * dt * (p.f_c / excess);
-    const int has_viscous = p.sigma_2 > 0.0f && speed > 0.0f; /* 0 times infinity is not a bound */
-    return has_viscous ? elastic + p.sigma_2 * speed * dt * (p.sigma_0 / excess) : elastic;
+    /* (22) with z = f/sigma_0: sigma_0 dt (f_c + sigma_2 |v|)/(f_max - f_c) */
+    const scaled_t sliding = sum(scaled(p.f_c), 1.0f, product(scaled(p.sigma_2), scaled(speed)));
+    const scaled_t excess = sum(scaled(p.f_max), -1.0f, scaled(p.f_c));
+    const scaled_t stiffness_time = product(scaled(p.sigma_0), scaled(dt));
+    scaled_t bound = quotient(product(stiffness_time, sliding), excess);
+    bound.mantissa *= NEVER_TOO_HIGH;
+    return to_float(bound);
 }
 
 const char *epf_status_text(epf_status_t status)

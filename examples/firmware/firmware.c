@@ -15,7 +15,7 @@
 static volatile uint16_t position; /* counts; wraps */
 static volatile int32_t command;   /* what the controller gives the motor, in units of FORCE */
 
-/* Evidence */
+/* Evidence, read where the machine stands still and no interrupt can come */
 static volatile bool in_control;
 static volatile uint16_t events, preemptions;
 static volatile uint32_t digest;
@@ -23,7 +23,8 @@ static volatile uint32_t digest;
 void encoder_interrupt(void)
 {
     const encoder_event_t event = machine_encoder();
-    friction_moved(event.dx, event.dt);
+    friction_advance(event.dx);
+    friction_publish(event.dt); /* of the state that friction_advance leaves: never apart from it */
     position = (uint16_t)(position + (uint16_t)event.dx);
 
     digest = friction_digest(digest);
@@ -37,6 +38,14 @@ static uint16_t position_now(void)
 {
     const guard_t guard = guard_enter();
     const uint16_t now = position;
+    guard_leave(guard);
+    return now;
+}
+
+static int32_t command_now(void)
+{
+    const guard_t guard = guard_enter();
+    const int32_t now = command;
     guard_leave(guard);
     return now;
 }
@@ -63,7 +72,7 @@ static void print_columns(uint16_t ms)
     print_text(" ");
     print_number((int16_t)position_now());
     print_text(" ");
-    print_number(command);
+    print_number(command_now());
     print_text(" ");
     print_number(friction_force());
     print_text(" ");

@@ -11,16 +11,21 @@
 /* Before the interrupts are enabled */
 void friction_start(void);
 
-/* Encoder interrupt, of the higher priority: dx counts in the last dt ticks */
-void friction_moved(int16_t dx, uint16_t dt);
+/* Encoder interrupt: dx counts */
+void friction_advance(int16_t dx);
 
-/* Control interrupt, of the lower priority, which friction_moved may preempt: the velocity */
+/* Encoder interrupt: the force after the last friction_advance, which took dt ticks */
+void friction_publish(uint16_t dt);
+
+/* Control interrupt: the velocity. It and the encoder interrupt may preempt each other, in whatever
+   order of priority; but friction_speed no more than once within one friction_advance, or within one
+   friction_publish. */
 void friction_speed(int16_t v);
 
 /* Anywhere: the force in units of FORCE */
 int32_t friction_force(void);
 
-/* Encoder interrupt: all bits of state and force, folded into a digest of those before */
+/* Encoder interrupt: all bits of z and of the force, folded into a digest of those before */
 uint32_t friction_digest(uint32_t digest);
 
 static inline uint32_t fold(uint32_t digest, uint32_t word)

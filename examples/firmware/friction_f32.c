@@ -12,10 +12,14 @@ void friction_start(void)
     epf_f32_init(&friction, &slide);
 }
 
-void friction_moved(int16_t dx, uint16_t dt)
+void friction_advance(int16_t dx)
 {
     (void)epf_f32_advance(&friction, (float)dx * COUNT);
-    (void)epf_f32_force(&friction, (float)dt * TICK); /* of the state that advance leaves */
+}
+
+void friction_publish(uint16_t dt)
+{
+    (void)epf_f32_force(&friction, (float)dt * TICK);
 }
 
 void friction_speed(int16_t v)

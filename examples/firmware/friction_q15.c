@@ -13,10 +13,14 @@ void friction_start(void)
     epf_q15_init(&friction, &slide);
 }
 
-void friction_moved(int16_t dx, uint16_t dt)
+void friction_advance(int16_t dx)
 {
     (void)epf_q15_advance(&friction, dx);
-    (void)epf_q15_force(&friction, dt); /* of the state that advance leaves: never apart from it */
+}
+
+void friction_publish(uint16_t dt)
+{
+    (void)epf_q15_force(&friction, dt);
 }
 
 void friction_speed(int16_t v)

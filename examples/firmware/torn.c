@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Is anything ever seen half-written? An alarm lets the encoder interrupt preempt the control
- * interrupt after 1, 2, 3, ... clocks, until it comes too late: at every instruction. What comes
- * out must be, bit for bit, what comes out without interruption before or after that instruction.
+ * Is anything ever seen half-written? An alarm preempts the control interrupt after 1, 2, 3, ...
+ * clocks, until it comes too late: at every instruction. What comes out must be, bit for bit, what
+ * comes out without preemption before or after that instruction.
  */
 #include "board.h"
 #include "friction.h"
@@ -10,74 +10,99 @@
 
 #include <stddef.h>
 
-/* In units of SPEED, each with an operating point of its own. There are two places: that which gets
-   the new point holds the stale one, so half of each would be neither the old nor the new. The two
-   differ in every member, also in the bits that z_ss and z_ss - z_ba have. */
-enum { STALE = 30, OLD = 100, NEW = 300 };
+/* In units of SPEED. The new operating point is written over the stale one, while the old one is in
+   use. It differs from both in every member, so that a mixture shows: in fixed point also in how many
+   bits z_ss and z_ss - z_ba have, and in several bytes of the viscous term, which is all that force
+   reads. */
+enum { STALE = 30, OLD = 60, NEW = 290 };
 
-/* An experiment: what the control interrupt does, what the encoder interrupt does meanwhile, and
-   what one of the two sees */
+/* Two contexts of the firmware: one is the control interrupt here, the other preempts it */
 typedef struct {
-    const char *name;
-    uint32_t (*control)(void);
-    uint32_t (*encoder)(void);
-    bool encoder_sees;
+    const char *name; /* of what is preempted */
+    void (*preempted)(void);
+    void (*preempting)(void);
 } experiment_t;
 
-static uint32_t set_velocity(void)
+/* What one of the two has seen meanwhile; 0 if all is in what they leave */
+static volatile uint32_t seen;
+
+static void set_velocity(void)
 {
     friction_speed(NEW);
-    return 0;
 }
 
-/* A step within the mixed region, by all of the operating point but z_ss; then a leap, which ends
-   in that */
-static uint32_t move(void)
+/* Two displacements within the mixed region. This one reaches neither z_ss, but with the old point it
+   passes the new z_ss: it shows where only z_ss is new */
+static void advance(void)
 {
-    friction_moved(5, 1);
-    const uint32_t digest = friction_digest(0);
-    friction_moved(400, 1);
-    return friction_digest(digest);
+    friction_advance(25);
 }
 
-static uint32_t read_force(void)
+/* This one reaches z_ss with the new point, and not with the old: it shows where only z_ss is old */
+static void advance_further(void)
 {
-    return (uint32_t)friction_force();
+    friction_advance(38);
 }
 
-static uint32_t reverse(void)
+/* A displacement that ends in z_ss */
+static void leap(void)
 {
-    friction_moved(-400, 1);
-    return 0;
+    friction_advance(400);
+}
+
+static void force(void)
+{
+    friction_publish(1);
+    seen = friction_digest(0);
+}
+
+static void move(void)
+{
+    advance();
+    force();
+    const uint32_t digest = seen;
+    leap();
+    force();
+    seen = fold(digest, seen);
+}
+
+static void output(void)
+{
+    seen = (uint32_t)friction_force();
+}
+
+static void reverse(void)
+{
+    friction_advance(-400);
+    friction_publish(1);
 }
 
 static const experiment_t experiments[] = {
-    {"set_velocity", set_velocity, move, true},
-    {"output", read_force, reverse, false},
+    /* the displacement preempts the velocity, and a reader */
+    {"set_velocity", set_velocity, move},
+    {"output", output, reverse},
+    /* the velocity preempts the displacement */
+    {"advance", advance, set_velocity},
+    {"advance further", advance_further, set_velocity},
+    {"advance to z_ss", leap, set_velocity},
+    {"force", force, set_velocity},
 };
 
 static const experiment_t *experiment;
 static volatile bool active;         /* the control interrupt is */
-static volatile bool fired, in_time; /* the encoder interrupt has, and while the other was active */
-static volatile uint32_t seen;
+static volatile bool fired, in_time; /* the alarm has, and while the other was active */
 
 void control_interrupt(void)
 {
     active = true;
-    const uint32_t outcome = experiment->control();
+    experiment->preempted();
     active = false;
-    if (!experiment->encoder_sees) {
-        seen = outcome;
-    }
 }
 
 void encoder_interrupt(void)
 {
     in_time = active;
-    const uint32_t outcome = experiment->encoder();
-    if (experiment->encoder_sees) {
-        seen = outcome;
-    }
+    experiment->preempting();
     fired = true;
 }
 
@@ -90,42 +115,54 @@ static void prepare(bool other_place)
     }
     friction_speed(STALE);
     friction_speed(OLD);
-    friction_moved(90, 10);
+    friction_advance(90);
+    friction_publish(10);
+    seen = 0;
     fired = false;
 }
 
-static uint32_t without_preemption(bool other_place, bool encoder_first)
+/* What was seen and what is left: the state, and by the damping term its last change, whatever the
+   velocity was */
+static uint32_t outcome(void)
+{
+    friction_speed(OLD);
+    friction_publish(1);
+    return friction_digest(seen);
+}
+
+static uint32_t without_preemption(bool other_place, bool preempting_first)
 {
     prepare(other_place);
-    if (encoder_first) {
+    if (preempting_first) {
         board_pend_encoder();
     }
     board_pend_control();
-    if (!encoder_first) {
+    if (!preempting_first) {
         board_pend_encoder();
     }
-    return seen;
+    return outcome();
 }
 
-static void preempt_after(uint16_t clocks, bool other_place)
+static uint32_t preempt_after(uint16_t clocks, bool other_place)
 {
     prepare(other_place);
     board_pend_encoder_after(clocks);
     board_pend_control();
     while (!fired) {
     }
+    return outcome();
 }
 
-/* As if the encoder interrupt had come before the control interrupt, after it, or neither */
+/* As if what preempts had come before what it preempts, after it, or neither */
 typedef struct {
     uint16_t before, after, torn;
 } count_t;
 
-static void count_one(count_t *count, uint32_t before, uint32_t after)
+static void count_one(count_t *count, uint32_t result, uint32_t before, uint32_t after)
 {
-    if (seen == before) {
+    if (result == before) {
         count->before++;
-    } else if (seen == after) {
+    } else if (result == after) {
         count->after++;
     } else {
         count->torn++;
@@ -139,10 +176,10 @@ static count_t sweep(bool other_place)
     count_t count = {0, 0, 0};
     bool begun = false; /* the first alarms come before the control interrupt */
     for (uint16_t clocks = 1; in_time || !begun; clocks++) {
-        preempt_after(clocks, other_place);
+        const uint32_t result = preempt_after(clocks, other_place);
         if (in_time) {
             begun = true;
-            count_one(&count, before, after);
+            count_one(&count, result, before, after);
         }
     }
     return count;

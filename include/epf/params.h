@@ -109,13 +109,16 @@ epf_status_t epf_params_check(const epf_params_t *params);
  * sigma_1 buys nothing while friction falls with speed.
  *
  * @param params  valid parameters.
- * @param v       velocity, m/s; NaN counts as 0. The bound is infinite where v is.
- * @param dt      time between updates, s; > 0.
- * @return the bound in N s/m; INFINITY where f_max = f_c (then every sigma_1 will do);
- *         0 for invalid parameters, or a dt that is not positive and finite.
+ * @param v       velocity, m/s; only |v| matters, and NaN counts as 0.
+ * @param dt      time between updates, s; > 0. On a core that flushes subnormal numbers to 0, such a v
+ *                or dt counts as 0.
+ * @return the bound in N s/m, rounded down: by less than 1e-6 of its exact value, never up. Where
+ *         that is above FLT_MAX, INFINITY: every sigma_1 will do, as where f_max = f_c, or where v is
+ *         infinite and sigma_2 > 0. Where that is below FLT_MIN, 0. Also 0 for invalid parameters, or
+ *         a dt that is not positive and finite. Never NaN.
  *
  * Context: design time and start-up; reentrant, touches nothing. Cost: that of epf_params_check,
- * and 2 divisions.
+ * 1 division and a dozen products.
  */
 float epf_sigma_1_limit(const epf_params_t *params, float v, float dt);
 
