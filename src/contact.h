@@ -35,6 +35,7 @@ static LEAF int32_t steady_state(const coeffs_t *c, uint32_t speed)
 /* All that follows from the velocity, written aside and then published */
 /*@ requires valid_body(ep);
     assigns ep->points[0 .. 1], ep->published;
+    assigns \result \from ep, ep->published;
     ensures valid_contact(ep);
     ensures \result == &ep->points[ep->published];
 */
@@ -51,8 +52,10 @@ static IN_LINE const point_t *set_point(contact_t *ep, signal_t v)
     }
     point_t *aside = point_aside(ep);
     prepare(c, z_ss, viscous, aside);
-    /*@ assert valid_coeffs(ep->coeffs) && valid_point(ep->coeffs, aside); */
+    /*@ assert valid_body(ep) && valid_point(ep->coeffs, aside); */
     publish_point(ep);
+    /*@ assert valid_body(ep) && valid_point(ep->coeffs, aside); */
+    /*@ assert aside == &ep->points[ep->published]; */
     return aside;
 }
 

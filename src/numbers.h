@@ -70,6 +70,7 @@ static inline int32_t along(int32_t s, int32_t x)
     assigns \nothing;
     ensures 0 <= \result <= 15;
     ensures 1048576 <= x ==> \result <= 11;
+    ensures 16777216 <= x ==> \result <= 7;
     ensures x < 2147483648 ==> 1 <= \result;
 */
 static inline int leading_zeros_16(uint32_t x)
@@ -113,7 +114,6 @@ static inline int leading_zeros(uint32_t x)
 /* floor(x 2^-shift) */
 /*@ requires 0 <= shift <= 31;
     assigns \nothing;
-    ensures \result <= x;
 */
 static inline uint32_t shifted_down(uint32_t x, int shift)
 {

@@ -114,7 +114,7 @@ static inline int zeros_of_time(uint16_t dt)
 */
 static inline uint16_t inverse_of_time(uint16_t dt, int zeros)
 {
-    return inverse((uint16_t)(dt << zeros));
+    return inverse((uint16_t)((uint32_t)dt << zeros));
 }
 
 /* sigma_2 |v|, by a gain that has a limit */
@@ -125,7 +125,8 @@ static inline uint16_t inverse_of_time(uint16_t dt, int zeros)
 static inline uint32_t viscous_term(const coeffs_t *c, uint32_t speed)
 {
     const uint32_t limited = speed < c->viscous_limit ? speed : c->viscous_limit;
-    return shifted_down(limited * c->viscous, c->viscous_shift);
+    const uint32_t term = shifted_down(limited * c->viscous, c->viscous_shift);
+    return term < TERM_MAX ? term : TERM_MAX;
 }
 
 /* ---- steady state: eqs. (6) to (8) ---------------------------------------------------------- */
@@ -169,8 +170,9 @@ static inline uint16_t stribeck_weight(const coeffs_t *c, uint32_t speed)
     const uint32_t limited = speed < c->ratio_limit ? speed : c->ratio_limit;
     /*@ assert limited * c->ratio <= c->ratio_limit * c->ratio; */
     const uint16_t ratio = high(limited * c->ratio + 32768u); /* |v|/v_s in Q10, up to 60 */
+    /*@ assert ratio <= 61440; */
     const uint32_t q = wide(ratio, ratio);
-    /*@ assert q <= 61440 * 61440; */
+    /*@ assert q <= ratio * 61440 <= 61440 * 61440; */
     return form == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
 }
 
@@ -182,7 +184,8 @@ static inline uint16_t stribeck_weight(const coeffs_t *c, uint32_t speed)
     requires -TERM_MAX <= viscous <= TERM_MAX;
     requires \valid(point) && \separated(c, point);
     assigns *point;
-    ensures point->z_ss == z_ss && point->viscous == viscous && point->span_shift <= 14;
+    ensures point->z_ss == z_ss && point->viscous == viscous && valid_span(point);
+    ensures valid_coeffs(c) && valid_point(c, point);
 */
 static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
@@ -207,7 +210,7 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
 /* A gap z_ss - zeta as a share of the span, which is more */
-/*@ requires \valid_read(point) && point->span_shift <= 14;
+/*@ requires \valid_read(point) && valid_span(point);
     assigns \nothing;
 */
 static inline uint16_t share_of_span(const point_t *point, uint32_t gap)

@@ -198,7 +198,8 @@ static inline uint32_t stribeck_weight(const coeffs_t *c, uint32_t speed)
     requires -TERM_MAX <= viscous <= TERM_MAX;
     requires \valid(point) && \separated(c, point);
     assigns *point;
-    ensures point->z_ss == z_ss && point->viscous == viscous && point->span_zeros <= 31;
+    ensures point->z_ss == z_ss && point->viscous == viscous && valid_span(point);
+    ensures valid_coeffs(c) && valid_point(c, point);
 */
 static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
@@ -222,7 +223,7 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
 /* A gap z_ss - zeta as a share of the span, which is more */
-/*@ requires \valid_read(point) && point->span_zeros <= 31;
+/*@ requires \valid_read(point) && valid_span(point);
     assigns \nothing;
 */
 static inline uint32_t share_of_span(const point_t *point, uint32_t gap)
