@@ -191,6 +191,11 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
 {
     const uint32_t exact_span = (uint32_t)(z_ss - c->z_ba);
     const int span_shift = exact_span < 67108864u ? 10 : 14;
+    volatile point_t *target = point; /* written before it is published */
+    target->z_ss = z_ss;
+    target->viscous = viscous;
+    target->span_shift = (uint8_t)span_shift;
+
     const uint16_t span = (uint16_t)(exact_span >> span_shift);
     const uint16_t whole = (uint16_t)((uint32_t)z_ss >> 14);
     const uint32_t product_of_both = wide(span, whole);
@@ -198,13 +203,9 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
     const int zeros = leading_zeros_16(both);
     /* 2^(47 - zeros)/both; 2 less, because it is made of 16 bits of it, and must not be too large */
     const uint16_t inverse_of_both = (uint16_t)(inverse(high(both << zeros)) - 2u);
-    volatile point_t *target = point; /* written before it is published */
-    target->z_ss = z_ss;
-    target->viscous = viscous;
     target->span_inverse = shifted_down(wide(whole, inverse_of_both), 15 - zeros);
     target->span_share =
         (uint16_t)shifted_down(part(wide(span, span), inverse_of_both), 29 - span_shift - zeros);
-    target->span_shift = (uint8_t)span_shift;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */

@@ -205,6 +205,11 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
 {
     const int span_zeros = leading_zeros((uint32_t)(z_ss - c->z_ba));
     const int whole_zeros = leading_zeros((uint32_t)z_ss);
+    volatile point_t *target = point; /* written before it is published */
+    target->z_ss = z_ss;
+    target->viscous = viscous;
+    target->span_zeros = (uint8_t)span_zeros;
+
     const uint32_t span = (uint32_t)(z_ss - c->z_ba) << span_zeros;
     const uint32_t whole = (uint32_t)z_ss << whole_zeros;
     const uint32_t both = product(span, whole);
@@ -212,12 +217,8 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
     const uint32_t inverse_of_both = inverse(both << up);
     const uint32_t inverse_of_whole = product(span, inverse_of_both) << up;
     const uint32_t share = product(span, inverse_of_whole); /* in Q30, but for the zeros */
-    volatile point_t *target = point;                       /* written before it is published */
-    target->z_ss = z_ss;
-    target->viscous = viscous;
     target->span_inverse = product(whole, inverse_of_both) << up;
     target->span_share = share >> (uint32_t)(span_zeros - whole_zeros) % 32u << 2;
-    target->span_zeros = (uint8_t)span_zeros;
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
