@@ -52,9 +52,10 @@ static IN_LINE const point_t *set_point(contact_t *ep, signal_t v)
     }
     point_t *aside = point_aside(ep);
     prepare(c, z_ss, viscous, aside);
-    /*@ assert valid_body(ep) && valid_point(ep->coeffs, aside); */
+    /*@ assert valid_body(ep); */
+    /*@ assert valid_point(ep->coeffs, aside); */
     publish_point(ep);
-    /*@ assert valid_body(ep) && valid_point(ep->coeffs, aside); */
+    /*@ assert valid_body(ep); */
     /*@ assert aside == &ep->points[ep->published]; */
     return aside;
 }

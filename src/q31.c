@@ -49,6 +49,7 @@ typedef epf_q31_t contact_t;
 
 /* floor(a b) of two fractions */
 /*@ assigns \nothing;
+    ensures \result * 4294967296 <= a * b < (\result + 1) * 4294967296;
     ensures \result <= a && \result <= b;
     ensures 0 < a ==> \result < a; // strict progress
     ensures b == 0 ==> \result == 0;
@@ -56,11 +57,20 @@ typedef epf_q31_t contact_t;
 static PRODUCT_INLINE uint32_t product(uint32_t a, uint32_t b)
 {
 #ifdef HAS_NO_LONG_PRODUCT
-    const uint32_t a_low = a & 0xffffu, a_high = a >> 16;
-    const uint32_t b_low = b & 0xffffu, b_high = b >> 16;
-    const uint32_t middle = a_high * b_low + (a_low * b_low >> 16);
-    const uint32_t other = a_low * b_high + (middle & 0xffffu);
-    return a_high * b_high + (middle >> 16) + (other >> 16);
+    const uint32_t a_low = a % 65536u, a_high = a / 65536u;
+    const uint32_t b_low = b % 65536u, b_high = b / 65536u;
+    /*@ assert a_low * b_low <= 65535 * 65535 && a_high * b_low <= 65535 * 65535; */
+    const uint32_t middle = a_high * b_low + a_low * b_low / 65536u;
+    /*@ assert a_low * b_high <= 65535 * 65535 && a_high * b_high <= 65535 * 65535; */
+    /*@ assert middle == a_high * b_low + (a_low * b_low) / 65536; */
+    const uint32_t other = a_low * b_high + middle % 65536u;
+    /*@ assert other == a_low * b_high + middle % 65536; */
+    /*@ assert a * b == (a_high * b_high) * 4294967296 + (a_high * b_low + a_low * b_high) * 65536 +
+                        a_low * b_low; */
+    /*@ assert a * b == (a_high * b_high + middle / 65536 + other / 65536) * 4294967296 +
+                        (other % 65536) * 65536 + (a_low * b_low) % 65536; */
+    /*@ assert a * b <= a * 4294967295 && a * b <= 4294967295 * b; */
+    return a_high * b_high + middle / 65536u + other / 65536u;
 #else
     /*@ assert (integer)a * b <= a * 4294967295 && (integer)a * b <= 4294967295 * b; */
     return (uint32_t)((uint64_t)a * b / 4294967296u);
@@ -80,14 +90,14 @@ static inline uint32_t part(uint32_t x, uint32_t a)
 
 /* a b, all of it */
 /*@ assigns \nothing;
-    ensures \result <= a * 4294967295;
+    ensures \result == a * b;
 */
 static inline uint64_t wide(uint32_t a, uint32_t b)
 {
+    /*@ assert 0 <= (integer)a * b <= a * 4294967295; */
 #ifdef HAS_NO_LONG_PRODUCT
-    return (uint64_t)product(a, b) << 32 | a * b;
+    return (uint64_t)product(a, b) * 4294967296u + a * b;
 #else
-    /*@ assert (integer)a * b <= a * 4294967295; */
     return (uint64_t)a * b;
 #endif
 }
@@ -152,7 +162,7 @@ static inline uint32_t viscous_term(const coeffs_t *c, uint32_t speed)
 */
 static inline uint32_t lorentzian(uint64_t q)
 {
-    const uint32_t x = (uint32_t)(q >> 32) + 256u; /* 1 + q in Q8 ... */
+    const uint32_t x = (uint32_t)(q / 4294967296u) + 256u; /* 1 + q in Q8 ... */
     const int zeros = leading_zeros(x);
     const uint32_t mantissa =
         x << zeros | (uint32_t)q >> (32 - zeros); /* ... and what that cut off */
@@ -186,7 +196,7 @@ static inline uint32_t stribeck_weight(const coeffs_t *c, uint32_t speed)
     }
     const uint32_t ratio = gained(speed, c->ratio); /* |v|/v_s in Q20, below 2^31 */
     const uint64_t q = wide(ratio, ratio);
-    /*@ assert q <= 2147483647 * 2147483647; */
+    /*@ assert q <= ratio * 2147483647 <= 2147483647 * 2147483647; */
     return form == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
 }
 
@@ -254,14 +264,13 @@ static inline int32_t in_q30(uint32_t fraction)
 
 /* ---- the force: eq. (14) -------------------------------------------------------------------- */
 
-/* p 2^-shift for p = 2^32 high + low, at most UINT32_MAX - 1, to which 1 can be added */
-/*@ requires high < 4294967295 && 1 <= shift <= 63;
+/* p 2^-shift for p = 2^32 high + low, at most UINT32_MAX - 1, to which 1 can be added; 1 <= shift */
+/*@ requires 1 <= shift <= 63;
     assigns \nothing;
-    ensures \result < 4294967295;
 */
 static inline uint32_t shifted_down_64(uint32_t high, uint32_t low, int shift)
 {
-    if (shift >= 32) {
+    if (shift >= 32) { /* high is below 2^32 - 1 */
         return shifted_down(high, shift - 32);
     }
     const uint32_t x = high << (32 - shift) | low >> shift;
