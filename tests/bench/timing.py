@@ -231,3 +231,8 @@ COUNTED = {
     "atmega2560": {"instructions": 25, "stack": 4, "cycles": 41},
 }
 CORES = tuple(COUNTED)
+
+
+def cost_metric(core):
+    """What the cost of a call is told in."""
+    return "cycles" if "cycles" in COUNTED[core] else "instructions"

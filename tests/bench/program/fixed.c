@@ -6,7 +6,5 @@
 int main(void)
 {
     counted_loop();
-    run_q31();
-    run_q15();
-    return 0;
+    return run_q31() + run_q15() == 0 ? 0 : 1;
 }

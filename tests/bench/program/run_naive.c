@@ -10,52 +10,39 @@
 
 #include <math.h>
 
-static epf_params_t params = {CONTACT(EPF_STRIBECK_LORENTZIAN)};
+static epf_params_t params;
 static int disagreements;
 
-static float deflection_by_epf(float z, float dx, float v)
+static float deflection_by_epf(motion_t by)
 {
     epf_f32_coeffs_t coeffs;
     epf_f32_t contact;
     (void)epf_f32_coeffs_init(&coeffs, &params);
     epf_f32_init(&contact, &coeffs);
-    epf_f32_reset(&contact, z);
-    return epf_f32_update(&contact, dx, v);
+    epf_f32_reset(&contact, by.z);
+    return epf_f32_update(&contact, by.dx, by.v);
 }
 
-static void measure(float z, float dx, float v, float dt)
+static void measure(motion_t by)
 {
-    naive_t contact = {&params, z};
-    (void)naive_step(&contact, dx, v, dt);
+    const float z_max = params.f_max / params.sigma_0;
+    naive_t contact = {&params, by.z};
+    (void)naive_step(&contact, by.dx, by.v, by.dt);
 
-    if (isfinite(z) && isfinite(dx) &&
-        !(fabsf(contact.z - deflection_by_epf(z, dx, v)) <= 1e-5f * Z_MAX)) {
+    if (isfinite(by.z) && isfinite(by.dx) && !isnan(by.v) &&
+        !(fabsf(contact.z - deflection_by_epf(by)) <= 1e-5f * z_max)) {
         disagreements++;
     }
 }
 
-static void form_lorentzian(void)
+static void measure_contact(const contact_t *contact)
 {
-    params.stribeck = EPF_STRIBECK_LORENTZIAN;
-    every_path(measure);
-}
-
-static void form_gaussian(void)
-{
-    params.stribeck = EPF_STRIBECK_GAUSSIAN;
-    every_path(measure);
-}
-
-static void form_coulomb(void)
-{
-    params.stribeck = EPF_STRIBECK_COULOMB;
-    every_path(measure);
+    params = contact->params;
+    every_path(&params, measure);
 }
 
 int run_naive(void)
 {
-    form_lorentzian();
-    form_gaussian();
-    form_coulomb();
+    every_form(ordinary_contact, measure_contact);
     return disagreements;
 }
