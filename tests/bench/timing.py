@@ -183,13 +183,14 @@ class Meter:
     def __init__(self, core, instructions):
         self.instructions = instructions
         self.models = MODELS.get(core, {})
-        self.cost_at = lru_cache(maxsize=None)(self._cost_at)
+        self.cost_of = lru_cache(maxsize=None)(self._cost_of)
 
-    def _cost_at(self, before, at, after):
+    def _cost_of(self, step):
+        """Of an instruction, given the addresses of the one before, its own, and of the one after."""
+        before, at, after = step
         this = self.instructions[at]
-        taken = after != at + this.size
-        step = (self.instructions.get(before), this, taken)
-        return [model(*step) for model in self.models.values()], pushed(*step)
+        how = (self.instructions.get(before), this, after != at + this.size)
+        return [model(*how) for model in self.models.values()], pushed(*how)
 
     def measure(self, words):
         """{metric: value} of a call on Arm or RISC-V, from its trace."""
@@ -197,7 +198,7 @@ class Meter:
         sums = [0] * len(self.models)
         depth = deepest = 0
         steps = zip([None, *addresses], addresses, [*addresses[1:], None])
-        for costs, growth in (self.cost_at(*step) for step in steps):
+        for costs, growth in map(self.cost_of, steps):
             for i, cost in enumerate(costs):
                 sums[i] += cost
             depth += growth

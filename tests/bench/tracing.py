@@ -64,22 +64,24 @@ def calls(image, program, instructions):
     """((variant, function, form, contact, path), words) of every measured call, callees included."""
     cases, measured = landmarks(image, program)
     case = {"form": "any", "contact": "any", "path": "any"}
-    inside = key = end = before = None
-    for word in words(image, program):
+    before, executed = None, words(image, program)
+    for word in executed:
         address = word & timing.ADDRESS
-        if inside is not None:
-            if address != end:
-                inside.append(word)
-                continue
-            yield key, tuple(inside)
-            inside = None
-        elif address in cases:
+        if address in cases:
             kind, name = cases[address]
             case[kind] = name
         elif address in measured:
-            key = (*measured[address], *case.values())
-            inside, end = [word], before + instructions[before].size
+            after = before + instructions[before].size
+            yield (*measured[address], *case.values()), (word, *until(after, executed))
         before = address
+
+
+def until(address, executed):
+    """What is executed before that address is come to."""
+    for word in executed:
+        if word & timing.ADDRESS == address:
+            return
+        yield word
 
 
 def measure(image):

@@ -8,6 +8,7 @@
 typedef struct {
     epf_params_t params;
     epf_lsb_t lsb; /* what one count weighs in q31 and q15; not used by f32 */
+    int operands;  /* how many sets of them, 1 to 3: see paths.c */
 } contact_t;
 
 /* Measures one contact */

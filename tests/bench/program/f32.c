@@ -7,6 +7,9 @@
 #define X(si)          (si)
 #define V(si)          (si)
 #define T(si)          (si)
+#define DEFLECTION     float
+#define SIGNAL         float
+#define TIME           float
 #define CONTACTS       float_contacts
 #define RUN            run_f32
 #include "variant.h"

@@ -9,6 +9,7 @@ static void contact_ordinary(run_t *run, epf_stribeck_t form)
     const contact_t contact = {
         {1e5f, 1e3f, 0.4f, 1.0f, 1.5f, 1e-3f, 8e-6f, form, EPF_UPDATE_SATURATED},
         {1e-8f, 1e-6f, 1e-4f, 1e-5f},
+        3,
     };
     run(&contact);
 }

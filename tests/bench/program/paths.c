@@ -106,13 +106,13 @@ static void at_each_speed(const scene_t *at, float r)
     }
 }
 
-void every_path(const epf_params_t *contact, measure_t *measure)
+void every_path(const contact_t *contact, measure_t *measure)
 {
-    static const float operands[] = {0.57f, 0.83f, 1.0f}; /* other digits, other magnitudes */
-    const scene_t scene = {measure, contact->z_ba, contact->f_c / contact->sigma_0,
-                           contact->f_max / contact->sigma_0, contact->v_s};
+    static const float operands[] = {0.83f, 1.0f, 0.57f}; /* other digits, other magnitudes */
+    const epf_params_t *p = &contact->params;
+    const scene_t scene = {measure, p->z_ba, p->f_c / p->sigma_0, p->f_max / p->sigma_0, p->v_s};
 
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < contact->operands; i++) {
         at_each_speed(&scene, operands[i]);
         path_at_rest(&scene, operands[i]);
     }

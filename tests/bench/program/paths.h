@@ -3,7 +3,7 @@
 #ifndef PATHS_H
 #define PATHS_H
 
-#include <epf/params.h>
+#include "contact.h"
 
 /* A contact that is deflected by z moves by dx at v, within dt. SI units; infinity for the largest
    number that the variant can say, NaN where it can. */
@@ -14,6 +14,6 @@ typedef struct {
 /* Measures every function once */
 typedef void measure_t(motion_t motion);
 
-void every_path(const epf_params_t *contact, measure_t *measure);
+void every_path(const contact_t *contact, measure_t *measure);
 
 #endif

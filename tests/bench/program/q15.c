@@ -9,6 +9,9 @@
 #define X(si)          (int16_t) to_signal((si) / lsb->x, INT16_MIN, INT16_MAX)
 #define V(si)          (int16_t) to_signal((si) / lsb->v, INT16_MIN, INT16_MAX)
 #define T(si)          (uint16_t) to_ticks((si) / lsb->t, UINT16_MAX)
+#define DEFLECTION     int32_t
+#define SIGNAL         int16_t
+#define TIME           uint16_t
 #define CONTACTS       integer_contacts
 #define RUN            run_q15
 #include "variant.h"

@@ -9,6 +9,9 @@
 #define X(si)          to_signal((si) / lsb->x, INT32_MIN, INT32_MAX)
 #define V(si)          to_signal((si) / lsb->v, INT32_MIN, INT32_MAX)
 #define T(si)          to_ticks((si) / lsb->t, UINT32_MAX)
+#define DEFLECTION     int32_t
+#define SIGNAL         int32_t
+#define TIME           uint32_t
 #define CONTACTS       integer_contacts
 #define RUN            run_q31
 #include "variant.h"

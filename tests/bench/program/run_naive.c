@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The transcription on the same paths; and that it is no strawman: where the input is a number it
    comes to the same deflection as epf_f32. */
-#include "contact.h"
 #include "naive.h"
 #include "paths.h"
 #include "run.h"
@@ -38,7 +37,7 @@ static void measure(motion_t by)
 static void measure_contact(const contact_t *contact)
 {
     params = contact->params;
-    every_path(&params, measure);
+    every_path(contact, measure);
 }
 
 int run_naive(void)

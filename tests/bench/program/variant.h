@@ -5,10 +5,10 @@
  *   EPF(name)       the function or type of that variant
  *   MAKE(made, of)  the call that makes coefficients of a contact
  *   Z, X, V, T(si)  its deflection, displacement, velocity and time
+ *   DEFLECTION, SIGNAL, TIME  their types
  *   CONTACTS        the contacts that it is measured on
  *   RUN             the name of the function that is defined here
  */
-#include "contact.h"
 #include "paths.h"
 #include "run.h"
 
@@ -20,24 +20,28 @@ static int refused;
    from the same deflection */
 static void measure(motion_t by)
 {
+    const DEFLECTION z = Z(by.z);
+    const SIGNAL dx = X(by.dx), v = V(by.v);
+    const TIME dt = T(by.dt);
     EPF(t) contact;
+
     EPF(init)(&contact, &coeffs);
-    EPF(reset)(&contact, Z(by.z));
+    EPF(reset)(&contact, z);
     const EPF(t) deflected = contact;
 
-    EPF(set_velocity)(&contact, V(by.v));
-    (void)EPF(advance)(&contact, X(by.dx));
-    (void)EPF(force)(&contact, T(by.dt));
+    EPF(set_velocity)(&contact, v);
+    (void)EPF(advance)(&contact, dx);
+    (void)EPF(force)(&contact, dt);
     (void)EPF(output)(&contact);
     (void)EPF(z)(&contact);
 
     contact = deflected;
-    (void)EPF(update)(&contact, X(by.dx), V(by.v));
+    (void)EPF(update)(&contact, dx, v);
     contact = deflected;
-    (void)EPF(step)(&contact, X(by.dx), V(by.v), T(by.dt));
+    (void)EPF(step)(&contact, dx, v, dt);
 
-    (void)EPF(fss)(&coeffs, V(by.v));
-    (void)EPF(alpha)(&coeffs, Z(by.z), V(by.v));
+    (void)EPF(fss)(&coeffs, v);
+    (void)EPF(alpha)(&coeffs, z, v);
 }
 
 static epf_status_t path_start_up(const contact_t *contact)
@@ -49,7 +53,7 @@ static void measure_contact(const contact_t *contact)
 {
     lsb = &contact->lsb;
     if (path_start_up(contact) == EPF_OK) {
-        every_path(&contact->params, measure);
+        every_path(contact, measure);
     } else {
         refused++;
     }
