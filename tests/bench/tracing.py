@@ -9,7 +9,7 @@ from array import array
 import image as images
 import timing
 
-MEASURED = re.compile(r"epf_(f32|q31|q15)_(\w+)|(naive)_(step)|(counted)_(loop)")
+MEASURED = re.compile(r"epf_(f32|q31|q15)_(\w+)|(naive)_(step)|(counted)_(loop|path)")
 CASE = re.compile(r"(form|contact|path)_(\w+)") # and the compiler's suffix to a copy: ".constprop.0"
 
 
@@ -110,7 +110,9 @@ def measure_program(image, program):
 
 def check_counted(core, results):
     """What is counted by hand must come out as counted by hand."""
-    for metric, expected in timing.COUNTED[core].items():
-        measured = results.pop(("counted", "loop", "any", "any", "any", metric), None)
-        if measured != expected:
-            raise images.Failure(f"{core}: {metric} of counted.S are {measured}, by hand {expected}")
+    for function, counted in timing.COUNTED[core].items():
+        for metric, expected in counted.items():
+            measured = results.pop(("counted", function, "any", "any", "any", metric), None)
+            if measured != expected:
+                raise images.Failure(f"{core}: {metric} of counted_{function} in counted.S: "
+                                     f"{measured}, by hand {expected}")

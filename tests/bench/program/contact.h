@@ -17,8 +17,8 @@ typedef void run_t(const contact_t *contact);
 /* Runs contacts, which have that form of f_ss */
 typedef void contacts_t(run_t *run, epf_stribeck_t form);
 
-/* Table II of the paper; and the corners of the parameters */
-contacts_t ordinary_contact, float_contacts, integer_contacts;
+/* Table II of the paper; and with it the corners of the parameters: of f32, of q15, of q31 */
+contacts_t ordinary_contact, float_contacts, integer_contacts, wide_contacts;
 
 /* Runs them in each form */
 void every_form(contacts_t *contacts, run_t *run);

@@ -5,6 +5,6 @@
 
 int main(void)
 {
-    counted_loop();
+    count();
     return run_q31() + run_q15() == 0 ? 0 : 1;
 }

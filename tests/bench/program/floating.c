@@ -5,6 +5,6 @@
 
 int main(void)
 {
-    counted_loop();
+    count();
     return run_f32() + run_naive() == 0 ? 0 : 1;
 }

@@ -64,3 +64,17 @@ void integer_contacts(run_t *run, epf_stribeck_t form)
     contact_undamped(run, form);
     contact_narrow(run, form);
 }
+
+/* The force in counts of 1 nN, too many for 16 bits: it is scaled by less than a word */
+static void contact_resolved(run_t *run, epf_stribeck_t form)
+{
+    measure_contact(
+        run, (epf_params_t){1e5f, 1e3f, 0.4f, 1.0f, 1.5f, 1e-3f, 8e-6f, form, EPF_UPDATE_SATURATED},
+        (epf_lsb_t){8e-6f, 1e-3f, 1e-9f, 1e-1f});
+}
+
+void wide_contacts(run_t *run, epf_stribeck_t form)
+{
+    integer_contacts(run, form);
+    contact_resolved(run, form);
+}

@@ -12,6 +12,6 @@
 #define DEFLECTION     int32_t
 #define SIGNAL         int32_t
 #define TIME           uint32_t
-#define CONTACTS       integer_contacts
+#define CONTACTS       wide_contacts
 #define RUN            run_q31
 #include "variant.h"
