@@ -147,7 +147,18 @@ def of_image(image):
             else:
                 if not is_soft:
                     bounds[public.groups()] = found
+        check_counted(image.core, instructions, names)
     return bounds, refusals
+
+
+def check_counted(core, instructions, names):
+    """What is counted by hand must come out as counted by hand."""
+    entry = next(address for address, name in names.items() if name == "counted_path")
+    counted = timing.COUNTED[core]["path"]
+    by_hand = Bound(counted[timing.cost_metric(core)], counted["stack"])
+    found = Program(core, instructions, names).bound(entry)
+    if found != by_hand:
+        raise images.Failure(f"{core}: counted_path in counted.S: {found}, by hand {by_hand}")
 
 
 def of_function(core, instructions, names, address, is_soft):
