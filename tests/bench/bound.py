@@ -111,16 +111,17 @@ class Program:
 
     def deepest(self, order):
         """The most that the stack grows by; at one place it must have one depth, at a return none."""
-        depths, most = {order[-1]: 0}, 0
+        depths, most = {order[-1][1]: 0}, 0
         for node in reversed(order):
-            depth, (_, callee, returns) = depths[node] + self.growth(node), self.flow(node[1])
+            at = node[1]
+            depth, (_, callee, returns) = depths[at] + self.growth(node), self.flow(at)
             called = 0 if callee is None else self.bound(callee).stack
             most = max(most, depth + called)
-            if returns and depths[node] + self.growth(node, returns=True) != 0:
-                raise Refused(f"the stack is off at {self.place(node[1])}")
-            for follower in self.followers(node):
+            if returns and depths[at] + self.growth(node, returns=True) != 0:
+                raise Refused(f"the stack is off at {self.place(at)}")
+            for _, follower in self.followers(node):
                 if depths.setdefault(follower, depth) != depth:
-                    raise Refused(f"the stack has two depths at {self.place(follower[1])}")
+                    raise Refused(f"the stack has two depths at {self.place(follower)}")
         return most
 
     def growth(self, node, returns=False):

@@ -60,7 +60,8 @@ def values(core, table, measured, budget):
 
 def verdict(budget, nearest):
     value, core, variant = nearest
-    what = " ".join(budget[name] for name in ("function", "form", "path", "metric"))
+    what = " ".join(budget[name] for name in ("function", "form", "path", "metric")
+                    if budget[name] != "any")
     line = f"{core} {variant} {what}: {value}, at most {budget['at_most']}"
     if value <= int(budget["at_most"]):
         return "held", line
