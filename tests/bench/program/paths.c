@@ -18,6 +18,12 @@ static void both_ways(const scene_t *at, float z, float dx, float v, float dt)
     at->measure((motion_t){-z, -dx, -v, dt});
 }
 
+/* A deflection where displacements are half plastic */
+static float halfway(const scene_t *at)
+{
+    return at->z_ba + 0.5f * (at->z_c - at->z_ba);
+}
+
 static void path_elastic(const scene_t *at, float r, float v)
 {
     both_ways(at, -0.3f * at->z_ba, 0.8f * at->z_ba * r, v, 1e-3f * r);
@@ -77,16 +83,21 @@ static void path_extreme(const scene_t *at)
     both_ways(at, -INFINITY, INFINITY, FLT_MIN, FLT_MIN);
     both_ways(at, INFINITY, FLT_MIN, FLT_MIN, FLT_MAX);
     both_ways(at, INFINITY, FLT_MIN, at->v_s, FLT_MIN);
-    both_ways(at, at->z_c, at->z_ba, INFINITY, FLT_MIN);
+    both_ways(at, halfway(at), 0.025f * at->z_ba, at->v_s, FLT_MIN);
+    both_ways(at, halfway(at), at->z_ba, at->v_s, FLT_MIN);
+    both_ways(at, halfway(at), at->z_ba, INFINITY, FLT_MIN);
 }
 
-/* What is rejected */
+/* What is rejected, alone and together */
 static void path_rejected(const scene_t *at)
 {
     at->measure((motion_t){NAN, NAN, NAN, 0.0f});
-    at->measure((motion_t){at->z_ba, at->z_ba, NAN, NAN});
-    at->measure((motion_t){at->z_ba, at->z_ba, at->v_s, 0.0f});
-    at->measure((motion_t){at->z_max, at->z_ba, at->v_s, 0.0f});
+    both_ways(at, halfway(at), NAN, at->v_s, 1e-3f);
+    both_ways(at, halfway(at), 0.025f * at->z_ba, NAN, NAN);
+    both_ways(at, halfway(at), 0.025f * at->z_ba, NAN, FLT_MIN);
+    both_ways(at, at->z_max, 0.025f * at->z_ba, NAN, FLT_MIN);
+    both_ways(at, halfway(at), 0.025f * at->z_ba, at->v_s, 0.0f);
+    both_ways(at, at->z_max, 0.025f * at->z_ba, at->v_s, 0.0f);
 }
 
 /* Where the Stribeck effect is in full swing, and where it is over: z_ss is z_c */

@@ -14,6 +14,7 @@
 
 static EPF(coeffs_t) coeffs;
 static const epf_lsb_t *lsb;
+static SIGNAL earlier_v; /* what is kept where the velocity is rejected: z_ss is z_c */
 static int refused;
 
 /* The calls one by one, as firmware with an encoder interrupt has them; then the joined ones, each
@@ -27,6 +28,7 @@ static void measure(motion_t by)
 
     EPF(init)(&contact, &coeffs);
     EPF(reset)(&contact, z);
+    EPF(set_velocity)(&contact, earlier_v);
     const EPF(t) deflected = contact;
 
     EPF(set_velocity)(&contact, v);
@@ -53,6 +55,7 @@ static void measure_contact(const contact_t *contact)
 {
     lsb = &contact->lsb;
     if (path_start_up(contact) == EPF_OK) {
+        earlier_v = V(20.0f * contact->params.v_s);
         every_path(contact, measure);
     } else {
         refused++;
