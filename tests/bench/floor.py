@@ -13,7 +13,8 @@ KINDS = {
     "vldr": ("vldr", "s0, [r1, #4]"), "vstr": ("vstr", "s0, [r1, #4]"),
     "cmp": ("cmp", "r0, r1"), "vcmp": ("vcmp.f32", "s0, s1"), "vmrs": ("vmrs", "APSR_nzcv, fpscr"),
     "branch": ("beq.n", "0"), "return": ("bx", "lr"),
-    "integer": ("adds", "r0, r1, r2"), "float": ("vadd.f32", "s0, s1, s2"), "vdiv": ("vdiv.f32", "s0, s1, s2"),
+    "integer": ("adds", "r0, r1, r2"),
+    "float": ("vadd.f32", "s0, s1, s2"), "vdiv": ("vdiv.f32", "s0, s1, s2"),
 }
 
 

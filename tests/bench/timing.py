@@ -13,7 +13,7 @@ CONDITIONS = "eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le|hs|lo"
 CONDITIONAL_BRANCH = re.compile(f"b({CONDITIONS})$")
 IT_BLOCK = re.compile("it[te]{0,3}$")
 IN_IT_BLOCK = re.compile( # of what has a time of its own; more names would take "mls" for "m" and "ls"
-    f"(bl?x?|push|pop|ldm|ldmia|[su]div|ml[as]|[su]mull|[su]mlal|mrs|msr|v[a-z]+?)({CONDITIONS})$")
+    f"(bl?x?|push|pop|ldr|ldm|ldmia|[su]div|ml[as]|[su]mull|[su]mlal|mrs|msr|v[a-z]+?)({CONDITIONS})$")
 END_LIKE_ONE = ("vmls", "vnmls")
 
 
