@@ -69,7 +69,6 @@ def floor_table(table):
             for what, row in floor.items()]
     rows.append(["**floor**", *(f"**{value}**" for value in total.values())])
     for title, value in (
-            ("run on this path, `mixed`", lambda v, f: table[v, f, "mixed", "cost"]),
             ("worst that was run", lambda v, f: figures.worst(table, v, f, "cost")),
             ("bound", lambda v, f: figures.worst(table, v, f, "bound"))):
         rows.append([title, *(str(value(variant, function)[core]) for core, variant, function in total)])

@@ -17,6 +17,19 @@ static const epf_lsb_t *lsb;
 static SIGNAL earlier_v; /* what is kept where the velocity is rejected: z_ss is z_c */
 static int refused;
 
+/* A contact has two operating points, which take turns: where a path is run with another operand, it
+   finds the other one published. That is so by the number of motions in between, 34. */
+static void take_turns(EPF(t) * contact)
+{
+    static unsigned motions;
+
+    EPF(set_velocity)(contact, earlier_v);
+    if ((motions / 2 + motions) % 2 != 0) {
+        EPF(set_velocity)(contact, earlier_v);
+    }
+    motions++;
+}
+
 /* The calls one by one, as firmware with an encoder interrupt has them; then the joined ones, each
    from the same deflection */
 static void measure(motion_t by)
@@ -28,7 +41,7 @@ static void measure(motion_t by)
 
     EPF(init)(&contact, &coeffs);
     EPF(reset)(&contact, z);
-    EPF(set_velocity)(&contact, earlier_v);
+    take_turns(&contact);
     const EPF(t) deflected = contact;
 
     EPF(set_velocity)(&contact, v);
