@@ -40,28 +40,29 @@ def of_bound(core, run, bound):
         yield "bound", f"its bound, {bound}, is more than {most} % of the worst that was run, {run}"
 
 
-def of_stack(run, deepest):
-    if run > deepest:
-        yield "no bound", f"{run} bytes of stack were used, its code needs {deepest}"
-    if run < deepest:
-        yield "stack", f"its code needs {deepest} bytes of stack, at most {run} were used"
+def of_stack(_, used, deepest):
+    """The same of the stack."""
+    if used > deepest:
+        yield "no bound", f"{used} bytes of stack were used, its code needs {deepest}"
+    if used < deepest:
+        yield "stack", f"its code needs {deepest} bytes of stack, at most {used} were used"
+
+
+# What is compared with what, and how
+CHECKS = {"bound": ("cost", of_bound), "deepest": ("stack", of_stack)}
 
 
 def findings(table, refusals):
     """(what, core, variant, function, what is wrong) of all that is wrong."""
-    for core, variant, function, reason in refusals:
-        yield "refused", core, variant, function, reason
+    for place in refusals:
+        yield "refused", *place
     for (variant, function, _, metric), bounds in table.items():
-        if metric == "bound":
-            run = figures.worst(table, variant, function, "cost")
-            found = [(core, *wrong) for core in bounds for wrong in of_bound(core, run[core], bounds[core])]
-        elif metric == "deepest":
-            run = figures.worst(table, variant, function, "stack")
-            found = [(core, *wrong) for core in bounds for wrong in of_stack(run[core], bounds[core])]
-        else:
-            continue
-        for core, what, wrong in found:
-            yield what, core, variant, function, wrong
+        if metric in CHECKS:
+            of, check = CHECKS[metric]
+            run = figures.worst(table, variant, function, of)
+            for core, limit in bounds.items():
+                for what, wrong in check(core, run[core], limit):
+                    yield what, core, variant, function, wrong
 
 
 def failures(table, refusals, exceptions):
