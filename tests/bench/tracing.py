@@ -71,8 +71,8 @@ def calls(image, program, instructions):
             kind, name = cases[address]
             case[kind] = name
         elif address in measured:
-            after = before + instructions[before].size
-            yield (*measured[address], *case.values()), (word, *until(after, executed))
+            address = before + instructions[before].size # where the call comes back to
+            yield (*measured[word & timing.ADDRESS], *case.values()), (word, *until(address, executed))
         before = address
 
 
@@ -82,6 +82,7 @@ def until(address, executed):
         if word & timing.ADDRESS == address:
             return
         yield word
+    raise images.Failure(f"a call never comes back to {address:#x}")
 
 
 def measure(image):
