@@ -138,7 +138,7 @@ def of_image(image):
         names = {address: name for address, size, name in images.symbols(image, program) if size}
         for address, name in names.items():
             public = RUN_TIME.fullmatch(name)
-            if not public:
+            if not public or public[1] != program:
                 continue
             is_soft = public[1] == "f32" and image.core not in WITH_FPU
             try:

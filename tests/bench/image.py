@@ -10,7 +10,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 TOOLCHAINS = HERE.parent.parent / "cmake" / "toolchains"
 
-PROGRAMS = ("fixed", "floating")
+PROGRAMS = ("f32", "q31", "q15", "naive") # each measures the functions of that name
 
 Image = namedtuple("Image", "core folder link objdump emulator")
 Instruction = namedtuple("Instruction", "size name operands")

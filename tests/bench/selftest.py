@@ -18,7 +18,7 @@ CORES = ("cortex-m0plus", "cortex-m3", "cortex-m4f", "rv32imac", "atmega328p")
 def check_counting(core, scratch):
     """counted.S comes out as counted by hand, and another figure is refused."""
     image = images.build(core, scratch)
-    measured = tracing.measure_program(image, "fixed")
+    measured = tracing.measure_program(image, "q15")
     must(measured["q15", "step", "lorentzian", "ordinary", "mixed", "instructions"] > 0,
          f"no step on {core}")
     right = timing.COUNTED[core]

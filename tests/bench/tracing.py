@@ -55,7 +55,7 @@ def landmarks(image, program):
         case, function = CASE.match(name), MEASURED.fullmatch(name)
         if case:
             cases[address] = case.groups()
-        elif function:
+        elif function and (program in function.groups() or name.startswith("counted")):
             measured[address] = tuple(filter(None, function.groups()))
     return cases, measured
 

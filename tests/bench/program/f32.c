@@ -11,5 +11,4 @@
 #define SIGNAL         float
 #define TIME           float
 #define CONTACTS       float_contacts
-#define RUN            run_f32
 #include "variant.h"

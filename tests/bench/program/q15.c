@@ -13,5 +13,4 @@
 #define SIGNAL         int16_t
 #define TIME           uint16_t
 #define CONTACTS       integer_contacts
-#define RUN            run_q15
 #include "variant.h"

@@ -13,5 +13,4 @@
 #define SIGNAL         int32_t
 #define TIME           uint32_t
 #define CONTACTS       wide_contacts
-#define RUN            run_q31
 #include "variant.h"

@@ -7,7 +7,6 @@
  *   Z, X, V, T(si)  its deflection, displacement, velocity and time
  *   DEFLECTION, SIGNAL, TIME  their types
  *   CONTACTS        the contacts that it is measured on
- *   RUN             the name of the function that is defined here
  */
 #include "paths.h"
 #include "run.h"
@@ -75,7 +74,7 @@ static void measure_contact(const contact_t *contact)
     }
 }
 
-int RUN(void)
+int run(void)
 {
     (void)lsb; /* f32 has no use for it */
     every_form(CONTACTS, measure_contact);
