@@ -37,8 +37,8 @@ def build(core, scratch):
     toolchain = TOOLCHAINS / f"{core}.cmake"
     run("cmake", "-S", HERE / "program", "-B", folder, f"-DCMAKE_TOOLCHAIN_FILE={toolchain}")
     run("cmake", "--build", folder)
-    link, objdump, emulator = (folder / "toolchain.txt").read_text().splitlines()
-    return Image(core, folder, link.split(), objdump, emulator.split(";"))
+    compiler, flags, objdump, emulator = (folder / "toolchain.txt").read_text().splitlines()
+    return Image(core, folder, [compiler, *flags.split()], objdump, emulator.split(";"))
 
 
 def instructions(image, program):
