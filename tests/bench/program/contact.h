@@ -20,6 +20,10 @@ typedef void contacts_t(run_t *run, epf_stribeck_t form);
 /* Table II of the paper; and with it the corners of the parameters: of f32, of q15, of q31 */
 contacts_t ordinary_contact, float_contacts, integer_contacts, wide_contacts;
 
+#define ANY_FORM EPF_STRIBECK_LORENTZIAN /* run_in_form() says which */
+
+void run_in_form(run_t *run, const contact_t *contact, epf_stribeck_t form);
+
 /* Runs them in each form */
 void every_form(contacts_t *contacts, run_t *run);
 

@@ -2,6 +2,13 @@
 /* The tool takes the form of f_ss from the names of these functions, which it finds in the trace. */
 #include "contact.h"
 
+void run_in_form(run_t *run, const contact_t *contact, epf_stribeck_t form)
+{
+    contact_t formed = *contact;
+    formed.params.stribeck = form;
+    run(&formed);
+}
+
 static void form_lorentzian(contacts_t *contacts, run_t *run)
 {
     contacts(run, EPF_STRIBECK_LORENTZIAN);

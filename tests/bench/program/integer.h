@@ -33,7 +33,7 @@ static inline uint32_t to_ticks(float counts, uint32_t most)
 
 static inline int32_t to_deflection(float counts, uint8_t z_shift)
 {
-    return to_signed(ldexpf(counts, z_shift), INT32_MIN, INT32_MAX);
+    return to_signed(counts * (float)(UINT32_C(1) << z_shift), INT32_MIN, INT32_MAX);
 }
 
 #endif
