@@ -5,8 +5,9 @@
     bench.py SCRATCH             builds and runs in the folder SCRATCH; writes results.csv and
                                  tables.md there, and prints the budgets
     bench.py SCRATCH --check     and fails when a figure is worse than in baseline.csv by more than
-                                 2 %, or the README has other tables
-    bench.py SCRATCH --update    and makes the figures the baseline, and the tables those of the README
+                                 2 %, a bound is not near what was run, a budget is exceeded, or a
+                                 README has other tables
+    bench.py SCRATCH --update    and makes the figures the baseline, and the tables those of the READMEs
     bench.py SCRATCH --self-test tests the counting and the gate instead
 """
 
@@ -17,7 +18,9 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True # no cache beside the sources
 
+import budgets
 import figures
+import gate
 import image as images
 import report
 import selftest
@@ -25,45 +28,69 @@ import timing
 import tracing
 
 BASELINE = images.HERE / "baseline.csv"
-README = images.HERE.parent.parent / "README.md"
 
 
 def measure(cores, scratch):
-    """All figures; results.csv gets everything that was traced."""
-    found, rows = {}, []
+    """The table of figures, {core: all that was traced}, and what has no bound."""
+    found, measured, refusals = {}, {}, []
     for core in cores:
         print(f"measuring {core}", flush=True)
-        found[core], measured = figures.of_core(core, scratch)
-        rows += [(core, *key, value) for key, value in measured.items()]
-    with open(scratch / "results.csv", "w", newline="", encoding="utf-8") as stream:
+        found[core], measured[core], refused = figures.of_core(core, scratch)
+        refusals += refused
+    write_results(scratch / "results.csv", measured)
+    return figures.by_core(found), measured, refusals
+
+
+def write_results(file, measured):
+    with open(file, "w", newline="", encoding="utf-8") as stream:
         out = csv.writer(stream, lineterminator="\n")
-        out.writerow(["core", "variant", "function", "form", "path", "metric", "value"])
-        out.writerows(rows)
-    return figures.by_core(found)
+        out.writerow(["core", "variant", "function", "form", "contact", "path", "metric", "value"])
+        for core, found in measured.items():
+            out.writerows((core, *key, value) for key, value in found.items())
 
 
-def check(table, all_cores):
-    """Is everything as the baseline and the README say?"""
+def write_tables(file, table):
+    texts = [text for of_file in report.blocks(table).values() for text in of_file.values()]
+    file.write_text("\n\n".join(texts) + "\n", encoding="utf-8")
+
+
+def print_budgets(table, measured):
+    """And return those that are exceeded without a reason."""
+    verdicts = list(budgets.verdicts(budgets.read(), table, measured))
+    for verdict, line in verdicts:
+        print(f"{verdict:8} {line}")
+    return [line for verdict, line in verdicts if verdict == "EXCEEDED"]
+
+
+def print_gate(table, refusals, all_cores):
+    """And return what is not near its bound."""
+    failed, unneeded = gate.failures(table, refusals, gate.read_exceptions())
+    for line in unneeded if all_cores else ():
+        print(f"exceptions.csv: nothing needs {line}")
+    for line in failed:
+        print(f"FAILS: {line}")
+    return failed
+
+
+def compare(table, all_cores):
+    """What is not as the baseline and the READMEs say."""
     worse, better = figures.compare(figures.read(BASELINE), table)
+    if all_cores:
+        worse += report.outdated(table)
     for line in better:
         print(f"better: {line}")
     if better:
         print("renew the baseline with --update")
     for line in worse:
         print(f"WORSE: {line}")
-    if all_cores:
-        readme = README.read_text(encoding="utf-8")
-        for name, block in report.blocks(table).items():
-            if block not in readme:
-                worse.append(name)
-                print(f"WORSE: README.md has other figures in its table bench: {name}")
-    return not worse
+    return worse
 
 
 def update(table):
-    readme = report.renewed(README.read_text(encoding="utf-8"), table)
+    texts = report.renewed(table)
     figures.write(BASELINE, table)
-    README.write_text(readme, encoding="utf-8")
+    for file, text in texts.items():
+        file.write_text(text, encoding="utf-8")
 
 
 def arguments():
@@ -79,23 +106,22 @@ def arguments():
 
 def main():
     options = arguments()
+    scratch = options.scratch.resolve()
     all_cores = set(options.cores) == set(timing.CORES)
     if options.update and not all_cores:
         raise images.Failure("--update needs all cores")
-    options.scratch.mkdir(parents=True, exist_ok=True)
-    tracing.build_tracers(options.scratch)
+    scratch.mkdir(parents=True, exist_ok=True)
+    tracing.build_tracers(scratch)
     if options.self_test:
-        return selftest.passes(options.scratch)
+        return selftest.passes(scratch)
 
-    table = measure(options.cores, options.scratch)
+    table, measured, refusals = measure(options.cores, scratch)
     if all_cores:
-        text = "\n\n".join(report.blocks(table).values()) + "\n"
-        (options.scratch / "tables.md").write_text(text, encoding="utf-8")
-    for line in report.budget_lines(images.HERE / "budgets.csv", table):
-        print(line)
+        write_tables(scratch / "tables.md", table)
+    wrong = print_budgets(table, measured) + print_gate(table, refusals, all_cores)
     if options.update:
         update(table)
-    return check(table, all_cores) if options.check else True
+    return not (wrong + compare(table, all_cores)) if options.check else True
 
 
 if __name__ == "__main__":

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The figures that are told and gated: {(variant, function, path, metric): {core: value}}.
 
-metric  cost   cycles, where the core is modelled, or else instructions: worst of the Stribeck forms
+metric  cost   cycles, where the core is modelled, or else instructions: worst of forms and contacts
+        bound  what no cost exceeds, of the machine code
         stack  bytes, worst of all paths
+        deepest  the same of the machine code
         flash  bytes of a link of the function alone, or of a typical set of them
         ram    bytes of .data and .bss of that link
         bytes  of an object in RAM or flash
@@ -10,6 +12,7 @@ metric  cost   cycles, where the core is modelled, or else instructions: worst o
 
 import csv
 
+import bound
 import image as images
 import timing
 import tracing
@@ -22,15 +25,11 @@ LINKS = {
 KEY = ("variant", "function", "path", "metric")
 
 
-def cost_metric(core):
-    return "cycles" if "cycles" in timing.COUNTED[core] else "instructions"
-
-
 def folded(core, measured):
     """Of what tracing.measure gives: the cost of every path and the stack of every function."""
     found = {}
-    for (variant, function, _, path, metric), value in measured.items():
-        if metric == cost_metric(core):
+    for (variant, function, _, _, path, metric), value in measured.items():
+        if metric == timing.cost_metric(core):
             key = (variant, function, path, "cost")
         elif metric == "stack":
             key = (variant, function, "worst", "stack")
@@ -63,11 +62,33 @@ def sizes(image, measured):
     return found
 
 
+def bounded(bounds):
+    """The same of what bound.of_image gives."""
+    found = {}
+    for (variant, function), (cost, stack) in bounds.items():
+        found[variant, function, "worst", "bound"] = cost
+        found[variant, function, "worst", "deepest"] = stack
+    return found
+
+
+def check_complete(image, measured):
+    """No public function of the library goes without being measured."""
+    public = {name for _, _, name in images.symbols(image, "libepf_fast.a")
+              if bound.RUN_TIME.fullmatch(name)}
+    missing = public - {f"epf_{key[0]}_{key[1]}" for key in measured}
+    if missing:
+        raise images.Failure(f"{image.core}: not measured: {' '.join(sorted(missing))}")
+
+
 def of_core(core, scratch):
-    """Builds, runs and measures: the figures of a core, and all that its trace gave."""
+    """Builds, runs and measures: the figures of a core, all that its trace gave, and why there is no
+    bound of a function that should have one."""
     image = images.build(core, scratch)
     measured = tracing.measure(image)
-    return {**folded(core, measured), **sizes(image, measured)}, measured
+    check_complete(image, measured)
+    bounds, refusals = bound.of_image(image)
+    found = {**folded(core, measured), **bounded(bounds), **sizes(image, measured)}
+    return found, measured, [(core, *function, reason) for function, reason in refusals.items()]
 
 
 def by_core(figures_of_cores):

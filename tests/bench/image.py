@@ -10,7 +10,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 TOOLCHAINS = HERE.parent.parent / "cmake" / "toolchains"
 
-PROGRAMS = ("fixed", "floating")
+PROGRAMS = ("f32", "q31", "q15", "naive") # each measures the functions of that name
 
 Image = namedtuple("Image", "core folder link objdump emulator")
 Instruction = namedtuple("Instruction", "size name operands")
@@ -37,8 +37,8 @@ def build(core, scratch):
     toolchain = TOOLCHAINS / f"{core}.cmake"
     run("cmake", "-S", HERE / "program", "-B", folder, f"-DCMAKE_TOOLCHAIN_FILE={toolchain}")
     run("cmake", "--build", folder)
-    link, objdump, emulator = (folder / "toolchain.txt").read_text().splitlines()
-    return Image(core, folder, link.split(), objdump, emulator.split(";"))
+    compiler, flags, objdump, emulator = (folder / "toolchain.txt").read_text().splitlines()
+    return Image(core, folder, [compiler, *flags.split()], objdump, emulator.split(";"))
 
 
 def instructions(image, program):

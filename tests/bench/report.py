@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The tables for the README, and the budgets."""
-
-import csv
-import fnmatch
+"""The tables of the READMEs."""
 
 import figures
+import floor as floors
 import image as images
 import timing
 
@@ -14,25 +12,38 @@ TITLES = {
     "atmega328p": "ATmega 328P", "atmega2560": "ATmega 2560",
 }
 TIMED = ("step", "set_velocity", "advance", "force", "output")
+ROOT = images.HERE.parent.parent
+README = ROOT / "README.md"
+NOTES = images.HERE / "README.md"
 
 
-def markdown(first, rows, unit_of=lambda core: ""):
+def markdown(heads, rows):
+    lines = ["| " + " | ".join(heads) + " |", "|---" + "|--:" * (len(heads) - 1) + "|"]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+def by_core(first, rows, unit_of=lambda core: ""):
+    """A column for each core; rows are (title, {core: value}) or (title, {core: value}, {core: bound})."""
     heads = [first, *(TITLES[core] + unit_of(core) for core in timing.CORES)]
-    lines = ["| " + " | ".join(heads) + " |", "|---" + "|--:" * len(timing.CORES) + "|"]
-    for title, row in rows:
-        lines.append("| " + " | ".join([title, *(f"{row[core]:,}" for core in timing.CORES)]) + " |")
-    return "\n".join(lines)
+    return markdown(heads, [[title, *(cell(core, *values) for core in timing.CORES)]
+                            for title, *values in rows])
+
+
+def cell(core, values, bounds=None):
+    run = f"{values[core]:,}"
+    return f"{run} / {bounds[core]:,}" if bounds and core in bounds else run
 
 
 def cost_table(table):
     rows = [("Algorithm 1, transcribed", figures.worst(table, "naive", "step", "cost"))]
     for variant in figures.VARIANTS:
         for function in TIMED:
-            rows.append((f"{variant} `{function}`", figures.worst(table, variant, function, "cost")))
+            rows.append((f"{variant} `{function}`", figures.worst(table, variant, function, "cost"),
+                         figures.worst(table, variant, function, "bound")))
             if function == "advance":
                 rows.append((f"{variant} `advance`, elastic", table[variant, "advance", "elastic", "cost"]))
-    return markdown("cycles, or instructions (i)", rows,
-                    lambda core: "" if figures.cost_metric(core) == "cycles" else " (i)")
+    return by_core("run / bound: cycles, or instructions (i)", rows,
+                   lambda core: "" if timing.cost_metric(core) == "cycles" else " (i)")
 
 
 def size_table(table):
@@ -47,13 +58,30 @@ def size_table(table):
             (f"{variant}: stack", figures.worst(table, variant, "run time", "stack")),
             (f"{variant}: stack of `coeffs_init`", table[variant, "coeffs_init", "worst", "stack"]),
         ]
-    return markdown("bytes", rows)
+    return by_core("bytes", rows)
+
+
+def floor_table(table):
+    """What the floor is made of, and above it what was run and the bound."""
+    floor = floors.read()
+    total = floors.totals(floor)
+    rows = [[what, *("" if value is None else str(value) for value in row.values())]
+            for what, row in floor.items()]
+    rows.append(["**floor**", *(f"**{value}**" for value in total.values())])
+    for title, value in (
+            ("worst that was run", lambda v, f: figures.worst(table, v, f, "cost")),
+            ("bound", lambda v, f: figures.worst(table, v, f, "bound"))):
+        rows.append([title, *(str(value(variant, function)[core]) for core, variant, function in total)])
+    heads = [f"{TITLES[core]} {variant} `{function}`" for core, variant, function in total]
+    return markdown(["cycles", *heads], rows)
 
 
 def blocks(table):
-    """What stands in the README, markers included."""
-    tables = {"cost": cost_table(table), "size": size_table(table)}
-    return {name: f"<!-- bench: {name} -->\n{text}\n<!-- bench: end -->" for name, text in tables.items()}
+    """{file: {name: what stands there, markers included}}"""
+    tables = {README: {"cost": cost_table(table), "size": size_table(table)},
+              NOTES: {"floor": floor_table(table)}}
+    return {file: {name: f"<!-- bench: {name} -->\n{text}\n<!-- bench: end -->"
+                   for name, text in of_file.items()} for file, of_file in tables.items()}
 
 
 def replaced(text, name, block):
@@ -61,42 +89,25 @@ def replaced(text, name, block):
     before, start, rest = text.partition(f"<!-- bench: {name} -->")
     _, end, after = rest.partition("<!-- bench: end -->")
     if not start or not end:
-        raise images.Failure(f"README.md: no <!-- bench: {name} --> ... <!-- bench: end -->")
+        raise images.Failure(f"no <!-- bench: {name} --> ... <!-- bench: end -->")
     return before + block + after
 
 
-def renewed(readme, table):
-    """The text of the README with these tables."""
-    for name, block in blocks(table).items():
-        readme = replaced(readme, name, block)
-    return readme
+def renewed(table):
+    """{file: its text with these tables}"""
+    texts = {}
+    for file, of_file in blocks(table).items():
+        text = file.read_text(encoding="utf-8")
+        for name, block in of_file.items():
+            text = replaced(text, name, block)
+        texts[file] = text
+    return texts
 
 
-def budget_lines(file, table):
-    """One line for each budget: what comes nearest to it, or goes beyond, of the measured cores."""
-    with open(file, newline="", encoding="utf-8") as stream:
-        for row in csv.DictReader(stream):
-            candidates = [(value, f"{core} {variant}")
-                          for variant in fnmatch.filter(figures.VARIANTS, row["variant"])
-                          for core, value in budgeted(table, variant, row).items()
-                          if fnmatch.fnmatch(core, row["core"])]
-            if candidates:
-                yield budget_line(row, *max(candidates))
-
-
-def budget_line(row, value, where):
-    verdict = name = ""
-    if row["at_most"]:
-        verdict = "held" if value <= int(row["at_most"]) else "EXCEEDED"
-        name = f", at most {row['at_most']}"
-    if row["floor"]:
-        name += f", floor {row['floor']}"
-    return f"{verdict:8} {where} {row['function']} {row['path']} {row['metric']}: {value}{name}"
-
-
-def budgeted(table, variant, row):
-    """{core: the figure that a budget is about}; functions joined by + are summed."""
-    functions, path, metric = row["function"].split("+"), row["path"], row["metric"]
-    parts = [figures.worst(table, variant, function, metric) if path == "worst" else
-             table[variant, function, path, metric] for function in functions]
-    return {core: sum(part[core] for part in parts) for core in parts[0]}
+def outdated(table):
+    """A line for each table that stands otherwise in its file."""
+    for file, of_file in blocks(table).items():
+        text = file.read_text(encoding="utf-8")
+        for name, block in of_file.items():
+            if block not in text:
+                yield f"{file.relative_to(ROOT)} has other figures in its table bench: {name}"

@@ -1,37 +1,97 @@
 # SPDX-License-Identifier: MIT
-"""That the counting counts, and that the gate closes."""
+"""That the counting counts, and that the gate closes. selftest_bound.py: that the bound is one."""
 
+import budgets
 import figures
+import floor
+import gate
 import image as images
 import report
+import selftest_bound
 import timing
 import tracing
+from expect import must, refuses
 
-
-def must(true, what):
-    if not true:
-        raise images.Failure(f"self-test: {what}")
-
-
-def refuses(action, what):
-    try:
-        action()
-    except images.Failure:
-        return
-    raise images.Failure(f"self-test: {what} is not refused")
+CORES = ("cortex-m0plus", "cortex-m3", "cortex-m4f", "rv32imac", "atmega328p")
 
 
 def check_counting(core, scratch):
     """counted.S comes out as counted by hand, and another figure is refused."""
-    measured = tracing.measure(images.build(core, scratch))
-    must(measured["q15", "step", "lorentzian", "mixed", "instructions"] > 0, f"no step on {core}")
+    image = images.build(core, scratch)
+    measured = tracing.measure_program(image, "q15")
+    must(measured["q15", "step", "lorentzian", "ordinary", "mixed", "instructions"] > 0,
+         f"no step on {core}")
     right = timing.COUNTED[core]
-    for metric in right:
-        timing.COUNTED[core] = {**right, metric: right[metric] + 1}
-        counted = {("counted", "loop", "any", "any", name): value for name, value in right.items()}
-        refuses(lambda: tracing.check_counted(core, counted), f"{core}: a wrong count of {metric}")
+    for function, counted in right.items():
+        for metric in counted:
+            wrong = {**counted, metric: counted[metric] + 1}
+            timing.COUNTED[core] = {**right, function: wrong}
+            results = {("counted", name, "any", "any", "any", name_of): value
+                       for name, of_function in right.items() for name_of, value in of_function.items()}
+            refuses(lambda: tracing.check_counted(core, results), f"{core}: a wrong count of {metric}")
     timing.COUNTED[core] = right
     print(f"{core}: counted as by hand: {right}")
+    return image
+
+
+def gate_on(run, limit, used, deepest, refusals=(), exceptions=(), core="cortex-m0"):
+    """How many findings of the gate fail, of one function."""
+    def key(path, metric):
+        return "q15", "step", path, metric
+    table = {key("mixed", "cost"): {core: run}, key("worst", "bound"): {core: limit},
+             key("worst", "stack"): {core: used}, key("worst", "deepest"): {core: deepest}}
+    failed, unneeded = gate.failures(table, refusals, exceptions)
+    return len(failed), len(unneeded)
+
+
+def check_bound_gate():
+    """A bound is to be within 10 %, or 15 % of instructions; the stack is to be equal."""
+    step = {"core": "cortex-m0 rv32*", "variant": "q15", "function": "step", "reason": "a test"}
+    excused = [{"what": what, **step} for what in gate.WHAT]
+    refusal = [("cortex-m0", "q15", "step", "loop at f")]
+    must(gate_on(100, 110, 8, 8) == (0, 0), "what is near its bound fails")
+    must(gate_on(100, 111, 8, 8) == (1, 0), "a bound of 111 % passes")
+    must(gate_on(100, 115, 8, 8, core="rv32imac") == (0, 0), "a bound of 115 % of instructions fails")
+    must(gate_on(100, 116, 8, 8, core="rv32imac") == (1, 0), "a bound of 116 % of instructions passes")
+    must(gate_on(100, 100, 8, 12) == (1, 0), "a stack that no path needs passes")
+    must(gate_on(100, 100, 8, 8, refusal) == (1, 0), "code with a loop passes")
+    must(gate_on(100, 111, 8, 12, refusal, excused) == (0, 0), "exceptions do not help")
+    must(gate_on(100, 111, 8, 12, refusal, excused, "cortex-m3") == (2, 2), "they help others")
+    must(gate_on(100, 110, 8, 8, (), excused) == (0, 3), "what nothing needs is not told")
+    must(gate_on(101, 100, 8, 8, (), excused)[0] == 1, "more than the bound passes")
+    must(gate_on(100, 100, 12, 8, (), excused)[0] == 1, "more stack than there is passes")
+    print("the gate closes at 110 % and 115 % of what was run, and where stacks differ")
+
+
+def check_budgets():
+    """A budget is of the form, the path and the contact that it names."""
+    core = "cortex-m4f"
+    traced = {("f32", "step", form, contact, path, "cycles"): value for form, contact, path, value in (
+        ("lorentzian", "ordinary", "mixed", 1), ("gaussian", "ordinary", "mixed", 2),
+        ("lorentzian", "ordinary", "elastic", 3), ("lorentzian", "stiff", "mixed", 4),
+        ("lorentzian", "ordinary", "extreme", 5))}
+
+    def verdict_of(form, path, at_most, reason=""):
+        budget = {"core": "cortex-m0 cortex-m4*", "variant": "f32", "function": "step", "form": form,
+                  "path": path, "metric": "cost", "at_most": str(at_most), "exceeded_because": reason}
+        (verdict, line), = budgets.verdicts([budget], {}, {core: traced})
+        return verdict, line
+    for form, path, worst in (("lorentzian", "mixed", 4), ("gaussian", "finite", 2),
+                              ("lorentzian", "finite", 3), ("any", "extreme", 5), ("any", "any", 5)):
+        must(verdict_of(form, path, worst)[0] == "held", f"{form} {path} is above {worst}")
+        must(verdict_of(form, path, worst - 1)[0] == "EXCEEDED", f"{form} {path} is below {worst}")
+    verdict, line = verdict_of("any", "any", 4, "a test")
+    must(verdict == "excepted" and line.endswith("at most 4: a test"), "a reason does not help")
+    refuses(lambda: verdict_of("any", "moonlit", 4), "a budget of a path that is not")
+    print("budgets are of what they name")
+
+
+def check_floor():
+    """The floor is charged as what is traced."""
+    for cell, cycles in (("17", 17), ("3 ldr", 4), ("3 vldr", 6), ("2 vldr, 1 vdiv, 4", 22), ("1 return", 3)):
+        must(floor.cycles("cortex-m4f", cell) == cycles, f"{cell} does not cost {cycles}")
+    refuses(lambda: floor.cycles("cortex-m4f", "3 wishes"), "a floor of wishes")
+    print("the floor is charged as what is traced")
 
 
 def check_gate():
@@ -50,7 +110,8 @@ def check_gate():
 
 
 def check_files(scratch):
-    """What is written is read; a broken baseline and a README without markers are refused."""
+    """What is written is read; a broken baseline, a README without markers, an exception without a
+    reason are refused."""
     table = {("q15", "step", "mixed", "cost"): {"cortex-m0": 200, "cortex-m3": 100}}
     file = scratch / "self-test.csv"
     figures.write(file, table)
@@ -58,15 +119,25 @@ def check_files(scratch):
     file.write_text("nonsense\n1\n")
     refuses(lambda: figures.read(file), "a broken baseline")
     refuses(lambda: figures.read(scratch / "none.csv"), "a missing baseline")
+    file.write_text("what,core,variant,function,reason\nbound,*,*,init,\n")
+    refuses(lambda: gate.read_exceptions(file), "an exception without a reason")
     must(report.replaced("a <!-- bench: x -->\nold\n<!-- bench: end --> b", "x", "NEW") == "a NEW b",
          "a table is not replaced")
     refuses(lambda: report.replaced("a", "x", "NEW"), "a README without markers")
+    must(report.cell("m0", {"m0": 1000}, {"m0": 1100}) == "1,000 / 1,100", "a cell has no bound")
+    must(report.cell("m0", {"m0": 1000}, {}) == "1,000", "a bound that is not")
     print("files are read as written")
 
 
 def passes(scratch):
     check_gate()
+    check_bound_gate()
+    check_budgets()
+    check_floor()
     check_files(scratch)
-    for core in ("cortex-m0plus", "cortex-m4f", "atmega328p"):
-        check_counting(core, scratch)
+    selftest_bound.check()
+    for core in CORES:
+        image = check_counting(core, scratch)
+        if not core.startswith("atmega"):
+            selftest_bound.check_counted(image)
     return True

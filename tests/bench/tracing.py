@@ -9,7 +9,8 @@ from array import array
 import image as images
 import timing
 
-MEASURED = re.compile(r"epf_(f32|q31|q15)_(\w+)|(naive)_(step)|(counted)_(loop)")
+MEASURED = re.compile(r"epf_(f32|q31|q15)_(\w+)|(naive)_(step)|(counted)_(loop|path)")
+CASE = re.compile(r"(form|contact|path)_(\w+)") # and the compiler's suffix to a copy: ".constprop.0"
 
 
 def build_tracers(scratch):
@@ -47,38 +48,41 @@ def words(image, program):
 
 
 def landmarks(image, program):
-    """{address: (form, path, function)}, one of the three set: what the names of functions say."""
-    found = {}
+    """What the names of functions say: {address: ("form", "contact" or "path", its name)}, and
+    {address: (variant, function)} of what is measured."""
+    cases, measured = {}, {}
     for address, _, name in images.symbols(image, program):
-        measured = MEASURED.fullmatch(name)
-        if name.startswith("form_"):
-            found[address] = (name[5:], None, None)
-        elif name.startswith("path_"):
-            found[address] = (None, name[5:], None)
-        elif measured:
-            found[address] = (None, None, tuple(filter(None, measured.groups())))
-    return found
+        case, function = CASE.match(name), MEASURED.fullmatch(name)
+        if case:
+            cases[address] = case.groups()
+        elif function and (program in function.groups() or name.startswith("counted")):
+            measured[address] = tuple(filter(None, function.groups()))
+    return cases, measured
 
 
 def calls(image, program, instructions):
-    """(form, path, (variant, function), words) of every measured call, callees included."""
-    marks = landmarks(image, program)
-    form = path = "any"
-    inside = function = end = before = None
-    for word in words(image, program):
+    """((variant, function, form, contact, path), words) of every measured call, callees included."""
+    cases, measured = landmarks(image, program)
+    case = {"form": "any", "contact": "any", "path": "any"}
+    before, executed = None, words(image, program)
+    for word in executed:
         address = word & timing.ADDRESS
-        if inside is not None:
-            if address != end:
-                inside.append(word)
-                continue
-            yield form, path, function, tuple(inside)
-            inside = None
-        elif address in marks:
-            new_form, new_path, function = marks[address]
-            form, path = new_form or form, new_path or path
-            if function:
-                inside, end = [word], before + instructions[before].size
+        if address in cases:
+            kind, name = cases[address]
+            case[kind] = name
+        elif address in measured:
+            address = before + instructions[before].size # where the call comes back to
+            yield (*measured[word & timing.ADDRESS], *case.values()), (word, *until(address, executed))
         before = address
+
+
+def until(address, executed):
+    """What is executed before that address is come to."""
+    for word in executed:
+        if word & timing.ADDRESS == address:
+            return
+        yield word
+    raise images.Failure(f"a call never comes back to {address:#x}")
 
 
 def measure(image):
@@ -88,18 +92,18 @@ def measure(image):
 
 
 def measure_program(image, program):
-    """{(variant, function, form, path, metric): value}, the largest of the calls of that kind."""
+    """{(variant, function, form, contact, path, metric): value}, the largest of such calls."""
     instructions = images.instructions(image, program)
     meter = timing.Meter(image.core, instructions)
     is_avr = image.core.startswith("atmega")
     return_address = 3 if image.core == "atmega2560" else 2
     known, results = {}, {}
-    for form, path, (variant, function), executed in calls(image, program, instructions):
+    for call, executed in calls(image, program, instructions):
         if executed not in known:
             known[executed] = (timing.measure_avr(executed, instructions, return_address) if is_avr
                                else meter.measure(executed))
         for metric, value in known[executed].items():
-            key = (variant, function, form, path, metric)
+            key = (*call, metric)
             results[key] = max(results.get(key, 0), value)
     check_counted(image.core, results)
     return results
@@ -107,7 +111,9 @@ def measure_program(image, program):
 
 def check_counted(core, results):
     """What is counted by hand must come out as counted by hand."""
-    for metric, expected in timing.COUNTED[core].items():
-        measured = results.pop(("counted", "loop", "any", "any", metric), None)
-        if measured != expected:
-            raise images.Failure(f"{core}: {metric} of counted.S are {measured}, by hand {expected}")
+    for function, counted in timing.COUNTED[core].items():
+        for metric, expected in counted.items():
+            measured = results.pop(("counted", function, "any", "any", "any", metric), None)
+            if measured != expected:
+                raise images.Failure(f"{core}: {metric} of counted_{function} in counted.S: "
+                                     f"{measured}, by hand {expected}")

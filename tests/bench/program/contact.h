@@ -1,26 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact that is measured: Table II of the paper, with a viscous term, so that nothing is left
-   out because it is zero. */
+/* The contacts that are measured. */
 #ifndef CONTACT_H
 #define CONTACT_H
 
 #include <epf/params.h>
 
-#define SIGMA_0 1e5f
-#define F_C     1.0f
-#define F_MAX   1.5f
-#define V_S     1e-3f
-#define Z_BA    8e-6f
-#define Z_C     (F_C / SIGMA_0)
-#define Z_MAX   (F_MAX / SIGMA_0)
+typedef struct {
+    epf_params_t params;
+    epf_lsb_t lsb; /* what one count weighs in q31 and q15; not used by f32 */
+    int operands;  /* how many sets of them, 1 to 3: see paths.c */
+} contact_t;
 
-#define CONTACT(form) SIGMA_0, 1e3f, 0.4f, F_C, F_MAX, V_S, Z_BA, form, EPF_UPDATE_SATURATED
+/* Measures one contact */
+typedef void run_t(const contact_t *contact);
 
-/* 10 nm, 1 um/s, 0.1 mN, 10 us: a leap fits 16 bits, and so does 30 v_s */
-#define LSB_X   1e-8f
-#define LSB_V   1e-6f
-#define LSB_F   1e-4f
-#define LSB_T   1e-5f
-#define SIGNALS LSB_X, LSB_V, LSB_F, LSB_T
+/* Runs contacts, which have that form of f_ss */
+typedef void contacts_t(run_t *run, epf_stribeck_t form);
+
+/* Table II of the paper; and with it the corners of the parameters: of f32, of q15, of q31 */
+contacts_t ordinary_contact, float_contacts, integer_contacts, wide_contacts;
+
+#define ANY_FORM EPF_STRIBECK_LORENTZIAN /* run_in_form() says which */
+
+void run_in_form(run_t *run, const contact_t *contact, epf_stribeck_t form);
+
+/* Runs them in each form */
+void every_form(contacts_t *contacts, run_t *run);
 
 #endif

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include <epf/f32.h>
 
-#define EPF(name)    epf_f32_##name
-#define COEFFS(form) EPF_F32_COEFFS(CONTACT(form))
-#define MAKE(c, p)   epf_f32_coeffs_init(c, p)
-#define Z(si)        (si)
-#define X(si)        (si)
-#define V(si)        (si)
-#define T(si)        (si)
-#define RUN          run_f32
+#define EPF(name)      epf_f32_##name
+#define MAKE(made, of) epf_f32_coeffs_init(made, &(of)->params)
+#define Z(si)          (si)
+#define X(si)          (si)
+#define V(si)          (si)
+#define T(si)          (si)
+#define DEFLECTION     float
+#define SIGNAL         float
+#define TIME           float
+#define CONTACTS       float_contacts
 #include "variant.h"

@@ -3,98 +3,130 @@
    factor r of a path varies its operands, for what depends on their digits. */
 #include "paths.h"
 
-#include "contact.h"
-
+#include <float.h>
 #include <math.h>
 
-#define FAST (20.0f * V_S) /* the Stribeck effect is over: z_ss is z_c */
+/* The contact, and who measures it */
+typedef struct {
+    measure_t *measure;
+    float z_ba, z_c, z_max, v_s;
+} scene_t;
 
-static void both_ways(measure_t *measure, float z, float dx, float v, float dt)
+static void both_ways(const scene_t *at, float z, float dx, float v, float dt)
 {
-    measure(z, dx, v, dt);
-    measure(-z, -dx, -v, dt);
+    at->measure((motion_t){z, dx, v, dt});
+    at->measure((motion_t){-z, -dx, -v, dt});
 }
 
-static void path_elastic(measure_t *measure, float r)
+/* A deflection where displacements are half plastic */
+static float halfway(const scene_t *at)
 {
-    both_ways(measure, -0.3f * Z_BA, 0.8f * Z_BA * r, V_S * r, 1e-3f * r);
+    return at->z_ba + 0.5f * (at->z_c - at->z_ba);
+}
+
+static void path_elastic(const scene_t *at, float r, float v)
+{
+    both_ways(at, -0.3f * at->z_ba, 0.8f * at->z_ba * r, v, 1e-3f * r);
 }
 
 /* On both halves of the sine */
-static void path_mixed(measure_t *measure, float r)
+static void path_mixed(const scene_t *at, float r, float v)
 {
     const float share = 1.2f * r - 0.4f; /* 0.28 to 0.8 */
-    both_ways(measure, Z_BA + share * (Z_C - Z_BA), 2e-7f * r, FAST * r, 1e-3f * r);
+    both_ways(at, at->z_ba + share * (at->z_c - at->z_ba), 0.025f * at->z_ba * r, v, 1e-3f * r);
 }
 
-static void path_sliding(measure_t *measure, float r)
+static void path_sliding(const scene_t *at, float r, float v)
 {
-    both_ways(measure, Z_BA + 0.9f * r * (Z_C - Z_BA), 4e-6f * r, FAST * r, 1e-3f * r);
+    both_ways(at, at->z_ba + 0.9f * r * (at->z_c - at->z_ba), 0.5f * at->z_ba * r, v, 1e-3f * r);
 }
 
 /* z_ss falls below the deflection, slowly enough for the damping term to stay below the others */
-static void path_case_1(measure_t *measure, float r)
+static void path_case_1(const scene_t *at, float r, float v)
 {
-    both_ways(measure, 0.95f * Z_MAX, 2e-7f * r, FAST * r, 0.1f * r);
+    both_ways(at, 0.95f * at->z_max, 0.025f * at->z_ba * r, v, 0.1f * r);
 }
 
 /* The same at once: the passivity guard limits the damping term */
-static void path_guard(measure_t *measure, float r)
+static void path_guard(const scene_t *at, float r, float v)
 {
-    both_ways(measure, 0.95f * Z_MAX, 2e-7f * r, FAST * r, 1e-3f * r);
+    both_ways(at, 0.98f * at->z_max, 0.025f * at->z_ba * r, v, 1e-3f * r);
 }
 
-static void path_reversal(measure_t *measure, float r)
+static void path_reversal(const scene_t *at, float r, float v)
 {
-    both_ways(measure, -0.99f * Z_C, 1e-6f * r, FAST * r, 1e-3f * r);
+    both_ways(at, -0.99f * at->z_c, 0.125f * at->z_ba * r, v, 1e-3f * r);
 }
 
-static void path_standstill(measure_t *measure, float r)
+static void path_standstill(const scene_t *at, float r, float v)
 {
-    both_ways(measure, 0.99f * Z_C, 0.0f, V_S * r, 1e-3f * r);
+    both_ways(at, 0.99f * at->z_c, 0.0f, v, 1e-3f * r);
+}
+
+static void path_leap(const scene_t *at, float r, float v)
+{
+    both_ways(at, at->z_ba, 4.0f * at->z_max * r, v, 1e-3f * r);
 }
 
 /* Displacement without velocity: z_ss is z_max */
-static void path_at_rest(measure_t *measure, float r)
+static void path_at_rest(const scene_t *at, float r)
 {
-    both_ways(measure, Z_C, 1e-6f * r, 0.0f, 1e-3f * r);
+    both_ways(at, at->z_c, 0.125f * at->z_ba * r, 0.0f, 1e-3f * r);
 }
 
-static void path_leap(measure_t *measure, float r)
+/* Largest numbers and least, shortest and longest time */
+static void path_extreme(const scene_t *at)
 {
-    both_ways(measure, Z_BA, 4.0f * Z_MAX * r, V_S * r, 1e-3f * r);
+    both_ways(at, INFINITY, INFINITY, INFINITY, FLT_MIN);
+    both_ways(at, INFINITY, INFINITY, INFINITY, FLT_MAX);
+    both_ways(at, INFINITY, FLT_MIN, INFINITY, FLT_MIN);
+    both_ways(at, -INFINITY, INFINITY, FLT_MIN, FLT_MIN);
+    both_ways(at, INFINITY, FLT_MIN, FLT_MIN, FLT_MAX);
+    both_ways(at, INFINITY, FLT_MIN, at->v_s, FLT_MIN);
+    both_ways(at, halfway(at), 0.025f * at->z_ba, at->v_s, FLT_MIN);
+    both_ways(at, halfway(at), at->z_ba, at->v_s, FLT_MIN);
+    both_ways(at, halfway(at), at->z_ba, INFINITY, FLT_MIN);
 }
 
-/* Largest numbers, shortest and longest time */
-static void path_extreme(measure_t *measure)
+/* What is rejected, alone and together */
+static void path_rejected(const scene_t *at)
 {
-    both_ways(measure, INFINITY, INFINITY, INFINITY, LSB_T);
-    both_ways(measure, INFINITY, INFINITY, INFINITY, 1e30f);
-    both_ways(measure, -INFINITY, INFINITY, LSB_V, LSB_T);
+    at->measure((motion_t){NAN, NAN, NAN, 0.0f});
+    both_ways(at, halfway(at), NAN, at->v_s, 1e-3f);
+    both_ways(at, halfway(at), 0.025f * at->z_ba, NAN, NAN);
+    both_ways(at, halfway(at), 0.025f * at->z_ba, NAN, FLT_MIN);
+    both_ways(at, at->z_max, 0.025f * at->z_ba, NAN, FLT_MIN);
+    both_ways(at, halfway(at), 0.025f * at->z_ba, at->v_s, 0.0f);
+    both_ways(at, at->z_max, 0.025f * at->z_ba, at->v_s, 0.0f);
 }
 
-/* What is rejected */
-static void path_rejected(measure_t *measure)
+/* Where the Stribeck effect is in full swing, and where it is over: z_ss is z_c */
+static void at_each_speed(const scene_t *at, float r)
 {
-    measure(NAN, NAN, NAN, 0.0f);
-    measure(Z_BA, Z_BA, V_S, 0.0f);
-}
-
-void every_path(measure_t *measure)
-{
-    static const float operands[] = {0.57f, 0.83f, 1.0f}; /* other digits, other magnitudes */
-
-    for (const float *r = operands; r != operands + sizeof operands / sizeof *operands; r++) {
-        path_elastic(measure, *r);
-        path_mixed(measure, *r);
-        path_sliding(measure, *r);
-        path_case_1(measure, *r);
-        path_guard(measure, *r);
-        path_reversal(measure, *r);
-        path_standstill(measure, *r);
-        path_at_rest(measure, *r);
-        path_leap(measure, *r);
+    const float speeds[] = {1.0f, 20.0f};
+    for (int i = 0; i < 2; i++) {
+        const float v = speeds[i] * at->v_s * r;
+        path_elastic(at, r, v);
+        path_mixed(at, r, v);
+        path_sliding(at, r, v);
+        path_case_1(at, r, v);
+        path_guard(at, r, v);
+        path_reversal(at, r, v);
+        path_standstill(at, r, v);
+        path_leap(at, r, v);
     }
-    path_extreme(measure);
-    path_rejected(measure);
+}
+
+void every_path(const contact_t *contact, measure_t *measure)
+{
+    static const float operands[] = {0.83f, 1.0f, 0.57f}; /* other digits, other magnitudes */
+    const epf_params_t *p = &contact->params;
+    const scene_t scene = {measure, p->z_ba, p->f_c / p->sigma_0, p->f_max / p->sigma_0, p->v_s};
+
+    for (int i = 0; i < contact->operands; i++) {
+        at_each_speed(&scene, operands[i]);
+        path_at_rest(&scene, operands[i]);
+    }
+    path_extreme(&scene);
+    path_rejected(&scene);
 }

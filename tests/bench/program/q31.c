@@ -3,12 +3,14 @@
 
 #include "integer.h"
 
-#define EPF(name)    epf_q31_##name
-#define COEFFS(form) EPF_Q31_COEFFS(CONTACT(form), SIGNALS)
-#define MAKE(c, p)   epf_q31_coeffs_init(c, p, &(const epf_lsb_t){SIGNALS})
-#define Z(si)        to_deflection(si, coeffs->z_shift)
-#define X(si)        to_signed((si) / LSB_X, INT32_MIN, INT32_MAX)
-#define V(si)        to_signed((si) / LSB_V, INT32_MIN, INT32_MAX)
-#define T(si)        to_unsigned((si) / LSB_T, UINT32_MAX)
-#define RUN          run_q31
+#define EPF(name)      epf_q31_##name
+#define MAKE(made, of) epf_q31_coeffs_init(made, &(of)->params, &(of)->lsb)
+#define Z(si)          to_deflection((si) / lsb->x, coeffs.z_shift)
+#define X(si)          to_signal((si) / lsb->x, INT32_MIN, INT32_MAX)
+#define V(si)          to_signal((si) / lsb->v, INT32_MIN, INT32_MAX)
+#define T(si)          to_ticks((si) / lsb->t, UINT32_MAX)
+#define DEFLECTION     int32_t
+#define SIGNAL         int32_t
+#define TIME           uint32_t
+#define CONTACTS       wide_contacts
 #include "variant.h"

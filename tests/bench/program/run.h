@@ -2,11 +2,7 @@
 #ifndef RUN_H
 #define RUN_H
 
-void run_f32(void);
-void run_q31(void);
-void run_q15(void);
-
-/* How often Algorithm 1 as transcribed and epf_f32 do not agree on the deflection */
-int run_naive(void);
+/* Runs what is measured in this program; returns how often something was not as it should be */
+int run(void);
 
 #endif

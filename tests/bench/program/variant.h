@@ -1,79 +1,82 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Calls every public function of a variant on every path, for every Stribeck form. Included once by
- * the file of a variant, which has defined
+ * Calls every public function of a variant on every path, for every contact in every form. Included
+ * once by the file of a variant, which has defined
  *   EPF(name)       the function or type of that variant
- *   COEFFS(form)    the initialiser of its coefficients
- *   MAKE(c, p)      the call that makes coefficients of parameters
+ *   MAKE(made, of)  the call that makes coefficients of a contact
  *   Z, X, V, T(si)  its deflection, displacement, velocity and time
- *   RUN             the name of the function that is defined here
- * The tool takes the form from the name of the function form_... that it sees in the trace.
+ *   DEFLECTION, SIGNAL, TIME  their types
+ *   CONTACTS        the contacts that it is measured on
  */
-#include "contact.h"
 #include "paths.h"
 #include "run.h"
 
-static const EPF(coeffs_t) lorentzian = COEFFS(EPF_STRIBECK_LORENTZIAN);
-static const EPF(coeffs_t) gaussian = COEFFS(EPF_STRIBECK_GAUSSIAN);
-static const EPF(coeffs_t) coulomb = COEFFS(EPF_STRIBECK_COULOMB);
-static const EPF(coeffs_t) * coeffs;
+static EPF(coeffs_t) coeffs;
+static const epf_lsb_t *lsb;
+static SIGNAL earlier_v; /* what is kept where the velocity is rejected: z_ss is z_c */
+static int refused;
+
+/* A contact has two operating points, which take turns: where a path is run with another operand, it
+   finds the other one published. That is so by the number of motions in between, 34. */
+static void take_turns(EPF(t) * contact)
+{
+    static unsigned motions;
+
+    EPF(set_velocity)(contact, earlier_v);
+    if ((motions / 2 + motions) % 2 != 0) {
+        EPF(set_velocity)(contact, earlier_v);
+    }
+    motions++;
+}
 
 /* The calls one by one, as firmware with an encoder interrupt has them; then the joined ones, each
    from the same deflection */
-static void measure(float z, float dx, float v, float dt)
+static void measure(motion_t by)
 {
+    const DEFLECTION z = Z(by.z);
+    const SIGNAL dx = X(by.dx), v = V(by.v);
+    const TIME dt = T(by.dt);
     EPF(t) contact;
-    EPF(init)(&contact, coeffs);
-    EPF(reset)(&contact, Z(z));
+
+    EPF(init)(&contact, &coeffs);
+    EPF(reset)(&contact, z);
+    take_turns(&contact);
     const EPF(t) deflected = contact;
 
-    EPF(set_velocity)(&contact, V(v));
-    (void)EPF(advance)(&contact, X(dx));
-    (void)EPF(force)(&contact, T(dt));
+    EPF(set_velocity)(&contact, v);
+    (void)EPF(advance)(&contact, dx);
+    (void)EPF(force)(&contact, dt);
     (void)EPF(output)(&contact);
     (void)EPF(z)(&contact);
 
     contact = deflected;
-    (void)EPF(update)(&contact, X(dx), V(v));
+    (void)EPF(update)(&contact, dx, v);
     contact = deflected;
-    (void)EPF(step)(&contact, X(dx), V(v), T(dt));
+    (void)EPF(step)(&contact, dx, v, dt);
 
-    (void)EPF(fss)(coeffs, V(v));
-    (void)EPF(alpha)(coeffs, Z(z), V(v));
+    (void)EPF(fss)(&coeffs, v);
+    (void)EPF(alpha)(&coeffs, z, v);
 }
 
-static void path_start_up(void)
+static epf_status_t path_start_up(const contact_t *contact)
 {
-    const epf_params_t params = {CONTACT(coeffs->stribeck)};
-    EPF(coeffs_t) made;
-    (void)MAKE(&made, &params);
+    return MAKE(&coeffs, contact);
 }
 
-static void every_call(const EPF(coeffs_t) * of_form)
+static void measure_contact(const contact_t *contact)
 {
-    coeffs = of_form;
-    path_start_up();
-    every_path(measure);
+    lsb = &contact->lsb;
+    if (path_start_up(contact) == EPF_OK) {
+        earlier_v = V(20.0f * contact->params.v_s);
+        every_path(contact, measure);
+    } else {
+        refused++;
+    }
 }
 
-static void form_lorentzian(void)
+int run(void)
 {
-    every_call(&lorentzian);
-}
-
-static void form_gaussian(void)
-{
-    every_call(&gaussian);
-}
-
-static void form_coulomb(void)
-{
-    every_call(&coulomb);
-}
-
-void RUN(void)
-{
-    form_lorentzian();
-    form_gaussian();
-    form_coulomb();
+    (void)lsb; /* f32 has no use for it */
+    every_form(CONTACTS, measure_contact);
+    return refused;
 }
