@@ -156,7 +156,7 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
          ? EPF_CAST_(int32_t, (counts)*EPF_POWER_(z_shift)) \
          : 1073741823)
 
-/* The quantities that become integers, z_max and the like in counts */
+/* The quantities that become integers: forces over sigma_0 in counts, f_max in lsb.f */
 #define EPF_COUNTS_(force, sigma_0, lsb_x)           ((force) / (sigma_0) / (lsb_x))
 #define EPF_V_S_INVERSE_(v_s, lsb_v)                 ((lsb_v) / (v_s))
 #define EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v) ((sigma_2) / (sigma_0) * ((lsb_v) / (lsb_x)))
@@ -170,7 +170,7 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
     (EPF_POSITIVE_(lsb_v) && (v_s_inverse) >= 1.0f / 8589934592.0f && \
      (v_s_inverse) < 16777216.0f && (viscous) < 16777216.0f)
 #define EPF_LSB_F_OK_(lsb_f, f_max, largest) \
-    (EPF_POSITIVE_(lsb_f) && (f_max) / (lsb_f) >= 1.0f && (f_max) / (lsb_f) <= (largest))
+    (EPF_POSITIVE_(lsb_f) && (f_max) >= 1.0f && (f_max) <= (largest))
 #define EPF_LSB_T_OK_(lsb_t, damping) (EPF_POSITIVE_(lsb_t) && (damping) < 16777216.0f)
 
 #define EPF_Q31_LARGEST_ 2147483520.0f /* the largest float that is an int32_t */
@@ -186,7 +186,7 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
      EPF_REQUIRE_(EPF_LSB_V_OK_(lsb_v, EPF_V_S_INVERSE_(v_s, lsb_v),                            \
                                 EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v)),                  \
                   lsb_v_must_be_positive_and_not_far_from_v_s) +                                \
-     EPF_REQUIRE_(EPF_LSB_F_OK_(lsb_f, f_max, largest),                                         \
+     EPF_REQUIRE_(EPF_LSB_F_OK_(lsb_f, (f_max) / (lsb_f), largest),                             \
                   lsb_f_must_be_at_most_f_max_which_must_fit) +                                 \
      EPF_REQUIRE_(EPF_LSB_T_OK_(lsb_t, EPF_DAMPING_(sigma_1, sigma_0, lsb_t)),                  \
                   lsb_t_must_be_positive_and_not_far_too_fine))
