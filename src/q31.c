@@ -176,9 +176,9 @@ static inline uint32_t gaussian(uint64_t q)
     if (q >= (uint64_t)22 << 40) {
         return 0;
     }
-    const uint64_t t = wide((uint32_t)(q >> 13), 3098164009u); /* log2 e in Q31; now Q58 */
-    const uint32_t n = (uint32_t)(t >> 58) % 32u;
-    const uint32_t r = (uint32_t)(t >> 26);
+    const uint32_t t = product((uint32_t)(q >> 13), 3098164009u); /* log2 e in Q31; t in Q26 */
+    const uint32_t n = t >> 26;
+    const uint32_t r = t << 6;
     /* 0.19314418 - r (0.04703982 - r (0.00826757 - r 0.00094842)) */
     const uint32_t bend =
         829547955u - product(r, 202034500u - product(r, 35508957u - product(r, 4073451u)));
