@@ -4,6 +4,7 @@
    float, fails one of its comparisons and goes another way. */
 #include "epf/f32.h"
 
+#include "deflection.h"
 #include "stribeck.h"
 
 #include <math.h> /* INFINITY, and fabsf: an instruction, no call */
@@ -237,22 +238,6 @@ float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v)
 
 /* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
 
-/* The unevaluated sum high + low, |low| <= ulp(high)/2 */
-typedef struct {
-    float high, low;
-} deflection_t;
-
-/* z + y, exact to 48 bits (Knuth's two-sum); odd, and never less than z for y >= 0 */
-static inline deflection_t sum_of(deflection_t z, float y)
-{
-    const float sum = z.high + y;
-    const float y_seen = sum - z.high;
-    const float lost = (z.high - (sum - y_seen)) + (y - y_seen);
-    const float low = z.low + lost;
-    const float high = sum + low;
-    return (deflection_t){high, low - (high - sum)};
-}
-
 /* (1 - alpha zeta/z_ss) dx, eq. (12), from the gap z_ss - zeta > 0, and as precise as that: the last
    of the gap closes too */
 static inline float deflecting_part(const epf_f32_point_t *point, float gap, float dx)
@@ -275,7 +260,7 @@ static IN_LINE course_t course(const epf_f32_t *ep, const epf_f32_point_t *point
     const float s = sign_of(dx);
     const deflection_t z = {ep->z, ep->z_low};
     const float zeta = s * z.high;
-    const float gap = (point->z_ss - zeta) - s * z.low;
+    const float gap = gap_of(z, s, point->z_ss);
     float y = dx;
     if (LIKELY(zeta > z_ba)) {
         y = deflecting_part(point, gap, dx);
@@ -382,7 +367,7 @@ static OUT_OF_LINE float unusual_force(epf_f32_t *ep, float viscous, float dampe
 /* dt is positive, and both are finite */
 static inline int are_usable(float force, float dt)
 {
-    const float sum = force + dt;
+    const float sum = fabsf(force) + dt;
     return dt > sum - sum;
 }
 
