@@ -4,10 +4,9 @@
    float, fails one of its comparisons and goes another way. */
 #include "epf/f32.h"
 
-#include "deflection.h"
 #include "stribeck.h"
 
-#include <math.h> /* INFINITY, and fabsf: an instruction, no call */
+#include <math.h> /* fabsf, which compilers make an instruction of */
 #include <stddef.h>
 
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
@@ -26,6 +25,7 @@
 #pragma clang fp reassociate(off)
 #endif
 #endif
+#include "deflection.h" /* under the same rules */
 
 /* Of two ways the usual one should be the straight one, and save no registers for the other */
 #ifdef __GNUC__
