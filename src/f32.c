@@ -6,7 +6,6 @@
 
 #include "stribeck.h"
 
-#include <math.h> /* fabsf, which compilers make an instruction of */
 #include <stddef.h>
 
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
@@ -68,6 +67,15 @@ static inline int is_negative(float x)
 static inline int is_zero(float x)
 {
     return bits_of(x) << 1 == 0;
+}
+
+static inline float magnitude(float x)
+{
+#ifdef __GNUC__
+    return __builtin_fabsf(x); /* one instruction */
+#else
+    return from_bits(bits_of(x) & 0x7fffffffu);
+#endif
 }
 
 /* A normal number below 2^126: of such a one the reciprocal is normal too */
@@ -272,7 +280,7 @@ static IN_LINE course_t course(const epf_f32_t *ep, const epf_f32_point_t *point
    it. Not in case 1, nor for NaN. */
 static inline int stays_below(const course_t *to)
 {
-    return fabsf(to->y) < to->gap;
+    return magnitude(to->y) < to->gap;
 }
 
 static inline void keep(epf_f32_t *ep, float dx, deflection_t z, float dz)
@@ -367,7 +375,7 @@ static OUT_OF_LINE float unusual_force(epf_f32_t *ep, float viscous, float dampe
 /* dt is positive, and both are finite */
 static inline int are_usable(float force, float dt)
 {
-    const float sum = fabsf(force) + dt;
+    const float sum = magnitude(force) + dt;
     return dt > sum - sum;
 }
 
@@ -376,7 +384,7 @@ float epf_f32_force(epf_f32_t *ep, float dt)
     const epf_f32_coeffs_t *c = ep->coeffs;
     const float v = published_point(ep)->v;
     const int s = ep->direction;
-    const float v_along = s == 0 ? v : s < 0 ? -fabsf(v) : fabsf(v);
+    const float v_along = s == 0 ? v : s < 0 ? -magnitude(v) : magnitude(v);
     const float viscous = c->sigma_2 * v_along;
     const float others = c->sigma_0 * ep->z + viscous;
     const float damped = c->sigma_1 * ep->dz / dt;
@@ -416,7 +424,7 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
     const course_t to = course(ep, &point, z_ba, dx);
     if (LIKELY(stays_below(&to))) {
         const deflection_t z = sum_of(to.z, to.y);
-        const float viscous = c->sigma_2 * (to.s * fabsf(v));
+        const float viscous = c->sigma_2 * (to.s * magnitude(v));
         const float others = c->sigma_0 * z.high + viscous;
         const float damped = c->sigma_1 * to.y / dt;
         const float force = others + damped;
@@ -426,10 +434,10 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
         }
         return publish_force(ep, force);
     }
-    if (!LIKELY(fabsf(to.y) >= to.gap) && is_nan(dx)) {
+    if (!LIKELY(magnitude(to.y) >= to.gap) && is_nan(dx)) {
         return advance_and_force(ep, dx, dt);
     }
-    const float viscous = c->sigma_2 * fabsf(v);
+    const float viscous = c->sigma_2 * magnitude(v);
     const float others = c->sigma_0 * point.z_ss + viscous;
     const float damped = c->sigma_1 * to.gap / dt;
     const float force = others + damped;

@@ -5,7 +5,7 @@ set(includes -I${SOURCE_DIR}/include -I${SOURCE_DIR}/src)
 set(strict -std=c99 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off ${includes})
 set(library ${SOURCE_DIR}/src/f32.c ${SOURCE_DIR}/src/params.c)
 set(test ${SOURCE_DIR}/tests/unit/f32_drift_test.c ${UNITY_DIR}/unity.c -isystem ${UNITY_DIR}
-    -DUNITY_INCLUDE_DOUBLE)
+    -I${SOURCE_DIR}/tests/sequences -DUNITY_INCLUDE_DOUBLE -DEPF_TEST_ONE_IN=1)
 file(MAKE_DIRECTORY ${SCRATCH})
 
 function(run)

@@ -244,6 +244,20 @@ static void test_force_damping_may_overflow_before_it_is_divided(void)
     TEST_ASSERT_FLOAT_WITHIN(1e19f, -1e25f, epf_f32_step(&ep, -1e20f, 0.0f, 1e25f));
 }
 
+/* Next to overflow, too, what is negated comes out negated: 1e19 N s/m at 3e19 m/s, in the longest time */
+static void test_force_is_odd_next_to_overflow(void)
+{
+    const epf_params_t viscous = {
+        1.0f, 0.0f, 1e19f, 1.0f, 1.5f, 1e-3f, 0.5f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
+    epf_f32_coeffs_t coeffs;
+    epf_f32_t mirror;
+    use(&coeffs, &viscous);
+    epf_f32_init(&mirror, &coeffs);
+    const float force = epf_f32_step(&ep, 0.1f, 3e19f, FLT_MAX);
+    TEST_ASSERT_TRUE(force > 0.0f && isfinite(force));
+    TEST_ASSERT_TRUE(epf_f32_step(&mirror, -0.1f, -3e19f, FLT_MAX) == -force);
+}
+
 /* Sliding slower, then faster: the damping term, -1e40 N, is limited, whatever it is as a float */
 static void test_force_guard_holds_where_damping_overflows(void)
 {
@@ -559,6 +573,7 @@ int main(void)
     RUN_TEST(test_leap_over_a_subnormal_gap_arrives);
     RUN_TEST(test_leap_of_any_length_over_a_subnormal_gap_arrives);
     RUN_TEST(test_force_damping_may_overflow_before_it_is_divided);
+    RUN_TEST(test_force_is_odd_next_to_overflow);
     RUN_TEST(test_force_guard_holds_where_damping_overflows);
     RUN_TEST(test_force_opposes_the_motion_where_all_other_terms_are_0);
     RUN_TEST(test_bad_velocity_nan_keeps_the_last_one_and_is_counted);
