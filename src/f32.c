@@ -291,11 +291,16 @@ static inline void keep(epf_f32_t *ep, float dx, deflection_t z, float dz)
     ep->dz = dz;
 }
 
+static inline void stand_still(epf_f32_t *ep)
+{
+    ep->dz = 0.0f;
+    ep->direction = 0;
+}
+
 float epf_f32_advance(epf_f32_t *ep, float dx)
 {
     if (!LIKELY(!is_zero(dx))) {
-        ep->direction = 0;
-        ep->dz = 0.0f;
+        stand_still(ep);
         return ep->z;
     }
     const epf_f32_point_t *point = published_point(ep);
@@ -400,12 +405,6 @@ float epf_f32_force(epf_f32_t *ep, float dt)
 
 /* ---- all of Algorithm 1 --------------------------------------------------------------------- */
 
-static OUT_OF_LINE float advance_and_force(epf_f32_t *ep, float dx, float dt)
-{
-    (void)epf_f32_advance(ep, dx);
-    return epf_f32_force(ep, dt);
-}
-
 /* The bits of set_velocity, advance and force, without their detour through memory. Where the contact
    settles, all terms are taken in the direction of the motion. */
 float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
@@ -415,16 +414,17 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
     epf_f32_point_t point;
     if (!LIKELY(make_point(&point, c, v))) {
         reject(ep);
-        return advance_and_force(ep, dx, dt);
+        point = *published_point(ep);
     }
     publish_point(ep, point);
     if (!LIKELY(!is_zero(dx))) {
-        return advance_and_force(ep, dx, dt);
+        stand_still(ep);
+        return epf_f32_force(ep, dt);
     }
     const course_t to = course(ep, &point, z_ba, dx);
     if (LIKELY(stays_below(&to))) {
         const deflection_t z = sum_of(to.z, to.y);
-        const float viscous = c->sigma_2 * (to.s * magnitude(v));
+        const float viscous = c->sigma_2 * (to.s * magnitude(point.v));
         const float others = c->sigma_0 * z.high + viscous;
         const float damped = c->sigma_1 * to.y / dt;
         const float force = others + damped;
@@ -435,9 +435,10 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
         return publish_force(ep, force);
     }
     if (!LIKELY(magnitude(to.y) >= to.gap) && is_nan(dx)) {
-        return advance_and_force(ep, dx, dt);
+        reject(ep);
+        return epf_f32_force(ep, dt);
     }
-    const float viscous = c->sigma_2 * magnitude(v);
+    const float viscous = c->sigma_2 * magnitude(point.v);
     const float others = c->sigma_0 * point.z_ss + viscous;
     const float damped = c->sigma_1 * to.gap / dt;
     const float force = others + damped;
@@ -471,8 +472,7 @@ static inline void rest_at(epf_f32_t *ep, float z)
 {
     ep->z = z;
     ep->z_low = 0.0f;
-    ep->dz = 0.0f;
-    ep->direction = 0;
+    stand_still(ep);
     (void)publish_force(ep, ep->coeffs->sigma_0 * z);
 }
 
