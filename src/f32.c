@@ -405,8 +405,7 @@ float epf_f32_force(epf_f32_t *ep, float dt)
 
 /* ---- all of Algorithm 1 --------------------------------------------------------------------- */
 
-/* The bits of set_velocity, advance and force, without their detour through memory. Where the contact
-   settles, all terms are taken in the direction of the motion. */
+/* The bits of set_velocity, advance and force, without their way through memory */
 float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
 {
     const epf_f32_coeffs_t *c = ep->coeffs;
@@ -434,10 +433,11 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
         }
         return publish_force(ep, force);
     }
-    if (!LIKELY(magnitude(to.y) >= to.gap) && is_nan(dx)) {
+    if (!LIKELY(magnitude(to.y) >= to.gap) && is_nan(dx)) { /* NaN is neither below nor above */
         reject(ep);
         return epf_f32_force(ep, dt);
     }
+    /* cases 1 and 3: all terms in the direction of the motion, where only the damping may oppose */
     const float viscous = c->sigma_2 * magnitude(point.v);
     const float others = c->sigma_0 * point.z_ss + viscous;
     const float damped = c->sigma_1 * to.gap / dt;
