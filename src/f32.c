@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The estimator in single precision. Read move() for the update rule, resist() for eq. (14). Unusable
-   and overflowing inputs leave the common path by one comparison each. */
+/* The estimator in single precision. Read course() for eqs. (12) and (13), epf_f32_force() for (14).
+   The common path of each function is free of special cases: what is unusable, or beyond the range of
+   float, fails one of its comparisons and goes another way. */
 #include "epf/f32.h"
 
 #include "stribeck.h"
@@ -19,49 +20,119 @@
 #endif
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off, or -std=c99 */
+#if __clang_major__ >= 11 /* no macro tells of -fassociative-math, which would undo the two-sum */
+#pragma clang fp reassociate(off)
+#endif
+#endif
+#include "deflection.h" /* under the same rules */
+
+/* Of two ways the usual one should be the straight one, and save no registers for the other */
+#ifdef __GNUC__
+#define LIKELY(x)   __builtin_expect(!!(x), 1)
+#define OUT_OF_LINE __attribute__((noinline))
+#define IN_LINE     inline __attribute__((always_inline))
+#else
+#define LIKELY(x) (x)
+#define OUT_OF_LINE
+#define IN_LINE inline
 #endif
 
 #define TERM_MAX (FLT_MAX / 4.0f) /* three terms of the force cannot overflow */
 
-static float at_most(float x, float bound)
+/* ---- floats, and their bits ----------------------------------------------------------------- */
+
+static inline uint32_t bits_of(float x)
+{
+    const union {
+        float value;
+        uint32_t bits;
+    } same = {x};
+    return same.bits;
+}
+
+static inline float from_bits(uint32_t bits)
+{
+    const union {
+        uint32_t bits;
+        float value;
+    } same = {bits};
+    return same.value;
+}
+
+static inline int is_negative(float x)
+{
+    return (int32_t)bits_of(x) < 0;
+}
+
+static inline int is_zero(float x)
+{
+    return bits_of(x) << 1 == 0;
+}
+
+static inline float magnitude(float x)
+{
+#ifdef __GNUC__
+    return __builtin_fabsf(x); /* one instruction */
+#else
+    return from_bits(bits_of(x) & 0x7fffffffu);
+#endif
+}
+
+/* A normal number below 2^126: of such a one the reciprocal is normal too */
+static inline int has_reciprocal(float x)
+{
+    return bits_of(x) - 0x00800000u < 0x7e000000u;
+}
+
+/* 1 or -1 */
+static inline float sign_of(float x)
+{
+    return from_bits((bits_of(x) & 0x80000000u) | 0x3f800000u);
+}
+
+static inline int8_t direction_of(float x)
+{
+    return (int8_t)((int32_t)bits_of(x) >> 31 | 1);
+}
+
+static inline float at_most(float x, float bound)
 {
     return x < bound ? x : bound;
 }
 
 /* x in [-bound, bound]; x is not NaN */
-static float within(float x, float bound)
+static inline float within(float x, float bound)
 {
     return x > bound ? bound : x < -bound ? -bound : x;
 }
 
-static int is_nan(float x)
+static inline int is_nan(float x)
 {
     return x != x;
 }
 
 /* x - x is 0 for a number, and NaN for infinity and NaN */
-static int is_finite(float x)
+static inline int is_finite(float x)
 {
     return x - x == 0.0f;
 }
 
-static int is_positive_and_finite(float x)
+static inline int is_positive_and_finite(float x)
 {
     return x > x - x;
 }
 
-static void reject(epf_f32_t *ep)
+/* It saturates instead of wrapping */
+static inline void reject(epf_f32_t *ep)
 {
-    if (ep->rejected != UINT32_MAX) { /* never decreasing: it saturates instead of wrapping */
-        ep->rejected++;
-    }
+    ep->rejected += ep->rejected != UINT32_MAX;
 }
 
 /* ---- steady state: eqs. (6) to (9) ---------------------------------------------------------- */
 
 /* exp(-q) for q >= 0, within 3e-7: 2^-n by its bit pattern, times 2^-r, 0 <= r < 1, by a polynomial
    that is exact at both ends, so that the pieces join */
-static inline float exp_minus(float q)
+static IN_LINE float exp_minus(float q)
 {
     const float t = q * 1.44269504f; /* log2 e */
     if (!(t < 126.0f)) {
@@ -79,18 +150,18 @@ static inline float exp_minus(float q)
 }
 
 /* What f_ss(v) or z_ss(v) has beyond f_c or z_c: at rest all of the excess. NaN stays NaN. */
-static inline float stribeck(const epf_f32_coeffs_t *c, float excess, float v)
+static IN_LINE float stribeck(const epf_f32_coeffs_t *c, float excess, float v)
 {
     const epf_stribeck_t form = form_in_use(c->stribeck);
-    if (form == EPF_STRIBECK_COULOMB) {
-        return is_nan(v) ? v : v == 0.0f ? excess : 0.0f; /* (6) */
-    }
     const float ratio = v * c->inv_v_s;
     const float q = ratio * ratio;
+    if (LIKELY(form == EPF_STRIBECK_LORENTZIAN)) {
+        return excess / (1.0f + q); /* (8) */
+    }
     if (form == EPF_STRIBECK_GAUSSIAN) {
         return excess * exp_minus(q); /* (7) */
     }
-    return excess / (1.0f + q); /* (8) */
+    return is_nan(v) ? v : v == 0.0f ? excess : 0.0f; /* (6) */
 }
 
 /* |z_ss(v)|, eq. (9): never above z_max, for that is z_c + z_excess and rounding is monotonic */
@@ -108,22 +179,7 @@ float epf_f32_fss(const epf_f32_coeffs_t *coeffs, float v)
 
 /* ---- the operating point: all that follows from the velocity -------------------------------- */
 
-/* Both reciprocals by one division, in which a product that is 0 makes them infinite */
-static inline epf_f32_point_t operating_point(const epf_f32_coeffs_t *c, float v)
-{
-    const float z_ss = steady_state(c, v);
-    const float span = z_ss - c->z_ba;
-    const float both = 1.0f / (z_ss * span);
-    return (epf_f32_point_t){v, z_ss, both * span, both * z_ss};
-}
-
-/* Not where v is NaN, nor where z_ss (z_ss - z_ba) left the range of float */
-static inline int is_usable(epf_f32_point_t point)
-{
-    return is_positive_and_finite(point.inv_span);
-}
-
-static const epf_f32_point_t *published_point(const epf_f32_t *ep)
+static inline const epf_f32_point_t *published_point(const epf_f32_t *ep)
 {
     return &ep->points[*(const volatile uint8_t *)&ep->published];
 }
@@ -140,29 +196,41 @@ static inline void publish_point(epf_f32_t *ep, epf_f32_point_t point)
     *(volatile uint8_t *)&ep->published = aside;
 }
 
+/* Both reciprocals by one division, where the product is within its reach. Returns 0 for NaN. */
+static IN_LINE int make_point(epf_f32_point_t *point, const epf_f32_coeffs_t *c, float v)
+{
+    const float z_ss = steady_state(c, v);
+    const float span = z_ss - c->z_ba;
+    const float product = z_ss * span;
+    if (LIKELY(has_reciprocal(product))) {
+        const float both = 1.0f / product;
+        *point = (epf_f32_point_t){v, z_ss, both * span, both * z_ss};
+        return 1;
+    }
+    *point = (epf_f32_point_t){v, z_ss, 1.0f / z_ss, 1.0f / span};
+    return !is_nan(v);
+}
+
 void epf_f32_set_velocity(epf_f32_t *ep, float v)
 {
-    if (is_nan(v)) {
+    epf_f32_point_t point;
+    if (!LIKELY(make_point(&point, ep->coeffs, v))) {
         reject(ep);
         return;
     }
-    const epf_f32_point_t point = operating_point(ep->coeffs, v);
-    if (is_usable(point)) {
-        publish_point(ep, point);
-    } else {
-        const float span = point.z_ss - ep->coeffs->z_ba;
-        publish_point(ep, (epf_f32_point_t){v, point.z_ss, 1.0f / point.z_ss, 1.0f / span});
-    }
+    publish_point(ep, point);
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */
 
 /* 1 - alpha between z_ba and z_ss, where u = (z_ss - zeta)/(z_ss - z_ba): the half period of a sine,
-   which is its own mirror image, within 8e-7. Exact at both ends, level there, and never above 1. */
+   which is its own mirror image, within 8e-7. Exact at both ends, level there, and never outside of
+   [0, 1], nor for a u that rounding has carried beyond 1. */
 static inline float elastic_share(float u)
 {
-    const float m = u - u * u;
-    return u + (u - 0.5f) * m * (2.0f + m * (1.06417607f + m * 0.273587248f));
+    const float rest = 1.0f - u;
+    const float m = u * rest;
+    return u * (1.0f + (u - rest) * rest * (1.0f + m * (0.532088035f + m * 0.136793624f)));
 }
 
 float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v)
@@ -178,75 +246,76 @@ float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v)
 
 /* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
 
-/* The unevaluated sum high + low, |low| <= ulp(high)/2 */
-typedef struct {
-    float high, low;
-} deflection_t;
-
-/* z + y, exact to 48 bits (Knuth's two-sum); odd, and never less than z for y >= 0 */
-static inline deflection_t add(deflection_t z, float y)
-{
-    const float sum = z.high + y;
-    const float y_seen = sum - z.high;
-    const float lost = (z.high - (sum - y_seen)) + (y - y_seen);
-    const float low = z.low + lost;
-    const float high = sum + low;
-    return (deflection_t){high, low - (high - sum)};
-}
-
-/* 1 - alpha zeta/z_ss, eq. (12), from the gap z_ss - zeta > 0: relatively precise, so that the last
+/* (1 - alpha zeta/z_ss) dx, eq. (12), from the gap z_ss - zeta > 0, and as precise as that: the last
    of the gap closes too */
-static inline float deflecting_share(const epf_f32_point_t *point, float gap)
+static inline float deflecting_part(const epf_f32_point_t *point, float gap, float dx)
 {
-    const float rest = gap * point->inv_z_ss; /* 1 - zeta/z_ss */
-    return rest + elastic_share(gap * point->inv_span) * (1.0f - rest);
+    const float part = gap * (dx * point->inv_z_ss); /* (1 - zeta/z_ss) dx */
+    return part + elastic_share(gap * point->inv_span) * (dx - part);
 }
 
-/* No displacement, or none that is known */
-static float stay(epf_f32_t *ep, float dx)
-{
-    if (is_nan(dx)) {
-        reject(ep);
-    } else {
-        ep->direction = 0;
-        ep->dz = dx;
-    }
-    return ep->direction;
-}
+/* Where dx leads from z. In its direction s the deflection is zeta = s z, and the gap z_ss - zeta,
+   in case 1 not positive. */
+typedef struct {
+    deflection_t z;
+    float s, gap;
+    float y; /* eq. (12) */
+} course_t;
 
-/* Returns sgn dx. In its direction the deflection is zeta = s z, and the gap z_ss - zeta; in case 1
-   that is not positive. A y below the gap, both rounded, cannot carry the sum above z_ss. */
-static inline float move(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
+static IN_LINE course_t course(const epf_f32_t *ep, const epf_f32_point_t *point, float z_ba,
+                               float dx)
 {
-    if (!(dx > 0.0f || dx < 0.0f)) {
-        return stay(ep, dx);
-    }
-    const float s = dx > 0.0f ? 1.0f : -1.0f;
-    const float zeta = s * ep->z;
-    const float gap = (point->z_ss - zeta) - s * ep->z_low;
-
+    const float s = sign_of(dx);
+    const deflection_t z = {ep->z, ep->z_low};
+    const float zeta = s * z.high;
+    const float gap = gap_of(z, s, point->z_ss);
     float y = dx;
-    if (zeta > ep->coeffs->z_ba && gap > 0.0f) {
-        y = deflecting_share(point, gap) * dx; /* (12) */
+    if (LIKELY(zeta > z_ba)) {
+        y = deflecting_part(point, gap, dx);
     }
-    ep->direction = dx > 0.0f ? 1 : -1;
-    if (!(s * y < gap)) { /* (13): cases 1 and 3 */
-        ep->dz = s * gap;
-        ep->z = s * point->z_ss;
-        ep->z_low = 0.0f;
-        return s;
-    }
-    ep->dz = y;
-    const deflection_t next = add((deflection_t){ep->z, ep->z_low}, y);
-    ep->z = next.high;
-    ep->z_low = next.low;
-    return s;
+    return (course_t){z, s, gap, y};
+}
+
+/* Eq. (13): does zeta + y stay below z_ss? A y below the gap, both rounded, cannot carry the sum above
+   it. Not in case 1, nor for NaN. */
+static inline int stays_below(const course_t *to)
+{
+    return magnitude(to->y) < to->gap;
+}
+
+static inline void keep(epf_f32_t *ep, float dx, deflection_t z, float dz)
+{
+    ep->direction = direction_of(dx);
+    ep->z = z.high;
+    ep->z_low = z.low;
+    ep->dz = dz;
+}
+
+static inline void stand_still(epf_f32_t *ep)
+{
+    ep->dz = 0.0f;
+    ep->direction = 0;
 }
 
 float epf_f32_advance(epf_f32_t *ep, float dx)
 {
-    (void)move(ep, published_point(ep), dx);
-    return ep->z;
+    if (!LIKELY(!is_zero(dx))) {
+        stand_still(ep);
+        return ep->z;
+    }
+    const epf_f32_point_t *point = published_point(ep);
+    const course_t to = course(ep, point, ep->coeffs->z_ba, dx);
+    deflection_t z = {to.s * point->z_ss, 0.0f};
+    if (LIKELY(stays_below(&to))) {
+        z = sum_of(to.z, to.y);
+        keep(ep, dx, z, to.y);
+    } else if (is_nan(dx)) {
+        reject(ep);
+        z = to.z;
+    } else {
+        keep(ep, dx, z, to.s * to.gap); /* cases 1 and 3 */
+    }
+    return z.high;
 }
 
 float epf_f32_update(epf_f32_t *ep, float dx, float v)
@@ -268,26 +337,23 @@ float epf_f32_output(const epf_f32_t *ep)
     return *(const volatile float *)&ep->force;
 }
 
-/* sigma_1 dz/dt, 0 for an unusable dt */
-static inline float damping(epf_f32_t *ep, float dt)
+/* In case 1 the damping term opposes the others. Of these the passivity guard leaves 2^-10, which is
+   far above rounding, and far below what is felt. */
+static inline float least_of(float others)
 {
-    if (!is_positive_and_finite(dt)) {
-        reject(ep);
-        return 0.0f;
-    }
-    return ep->coeffs->sigma_1 * ep->dz / dt;
+    return others * (1.0f / 1024.0f);
 }
 
-/* The sum of the terms. In case 1 the damping term opposes the others: the passivity guard leaves
-   2^-10 of these, which is far above rounding, and far below what is felt. */
-static inline float guarded_sum(const epf_f32_t *ep, float s, float others, float damped)
+static inline int is_case_1(const epf_f32_t *ep)
 {
-    const float force = others + damped;
-    if (s * ep->dz < 0.0f) { /* case 1 */
-        const float least = others * (1.0f / 1024.0f);
-        return s * force < s * least ? least : force;
-    }
-    return force;
+    return is_negative(ep->dz) != (ep->direction < 0);
+}
+
+static OUT_OF_LINE float guarded_force(epf_f32_t *ep, float others, float force)
+{
+    const float least = least_of(others);
+    const int is_less = ep->direction < 0 ? force > least : force < least;
+    return publish_force(ep, is_less ? least : force);
 }
 
 /* A term that cannot make the sum overflow. NaN is 0 times infinity: no viscosity at any speed. */
@@ -296,41 +362,92 @@ static inline float limited(float term)
     return is_nan(term) ? 0.0f : within(term, TERM_MAX);
 }
 
-static float saturated_force(epf_f32_t *ep, float s, float elastic, float viscous, float damped)
+/* Eq. (14) once more, where the common way is none: term by term */
+static OUT_OF_LINE float unusual_force(epf_f32_t *ep, float viscous, float damped, float dt)
 {
-    return publish_force(ep, guarded_sum(ep, s, elastic + limited(viscous), limited(damped)));
+    const epf_f32_coeffs_t *c = ep->coeffs;
+    if (!is_positive_and_finite(dt)) {
+        reject(ep);
+        damped = 0.0f;
+    } else if (!is_finite(damped)) {
+        damped = c->sigma_1 / dt * ep->dz; /* sigma_1 dz may be beyond float where this is not */
+    }
+    const float others = c->sigma_0 * ep->z + limited(viscous);
+    const float force = others + limited(damped);
+    return is_case_1(ep) ? guarded_force(ep, others, force) : publish_force(ep, force);
 }
 
-/* s is sgn dx of the last displacement */
-static inline float resist(epf_f32_t *ep, float s, float v, float dt)
+/* dt is positive, and both are finite */
+static inline int are_usable(float force, float dt)
 {
-    const float v_along = s * v < 0.0f ? -v : v;
-    const float elastic = ep->coeffs->sigma_0 * ep->z;
-    const float viscous = ep->coeffs->sigma_2 * v_along;
-    const float damped = damping(ep, dt);
-    const float force = guarded_sum(ep, s, elastic + viscous, damped); /* (14) */
-    if (!is_finite(force)) {
-        return saturated_force(ep, s, elastic, viscous, damped);
-    }
-    return publish_force(ep, force);
+    const float sum = magnitude(force) + dt;
+    return dt > sum - sum;
 }
 
 float epf_f32_force(epf_f32_t *ep, float dt)
 {
-    return resist(ep, ep->direction, published_point(ep)->v, dt);
+    const epf_f32_coeffs_t *c = ep->coeffs;
+    const float v = published_point(ep)->v;
+    const int s = ep->direction;
+    const float v_along = s == 0 ? v : s < 0 ? -magnitude(v) : magnitude(v);
+    const float viscous = c->sigma_2 * v_along;
+    const float others = c->sigma_0 * ep->z + viscous;
+    const float damped = c->sigma_1 * ep->dz / dt;
+    const float force = others + damped;
+    if (!LIKELY(are_usable(force, dt))) {
+        return unusual_force(ep, viscous, damped, dt);
+    }
+    if (!LIKELY(!is_case_1(ep))) {
+        return guarded_force(ep, others, force);
+    }
+    return publish_force(ep, force);
 }
 
+/* ---- all of Algorithm 1 --------------------------------------------------------------------- */
+
+/* The bits of set_velocity, advance and force, without their way through memory */
 float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
 {
-    epf_f32_point_t point = operating_point(ep->coeffs, v);
-    if (!is_usable(point)) {
-        epf_f32_set_velocity(ep, v);
+    const epf_f32_coeffs_t *c = ep->coeffs;
+    const float z_ba = c->z_ba;
+    epf_f32_point_t point;
+    if (!LIKELY(make_point(&point, c, v))) {
+        reject(ep);
         point = *published_point(ep);
     }
-    const float s = move(ep, &point, dx);
-    const float force = resist(ep, s, point.v, dt);
-    ep->points[ep->published] = point; /* in place: no other context reads it meanwhile */
-    return force;
+    publish_point(ep, point);
+    if (!LIKELY(!is_zero(dx))) {
+        stand_still(ep);
+        return epf_f32_force(ep, dt);
+    }
+    const course_t to = course(ep, &point, z_ba, dx);
+    if (LIKELY(stays_below(&to))) {
+        const deflection_t z = sum_of(to.z, to.y);
+        const float viscous = c->sigma_2 * (to.s * magnitude(point.v));
+        const float others = c->sigma_0 * z.high + viscous;
+        const float damped = c->sigma_1 * to.y / dt;
+        const float force = others + damped;
+        keep(ep, dx, z, to.y);
+        if (!LIKELY(are_usable(force, dt))) {
+            return unusual_force(ep, viscous, damped, dt);
+        }
+        return publish_force(ep, force);
+    }
+    if (!LIKELY(magnitude(to.y) >= to.gap) && is_nan(dx)) { /* NaN is neither below nor above */
+        reject(ep);
+        return epf_f32_force(ep, dt);
+    }
+    /* cases 1 and 3: all terms in the direction of the motion, where only the damping may oppose */
+    const float viscous = c->sigma_2 * magnitude(point.v);
+    const float others = c->sigma_0 * point.z_ss + viscous;
+    const float damped = c->sigma_1 * to.gap / dt;
+    const float force = others + damped;
+    keep(ep, dx, (deflection_t){to.s * point.z_ss, 0.0f}, to.s * to.gap);
+    if (!LIKELY(are_usable(force, dt))) {
+        return unusual_force(ep, to.s * viscous, to.s * damped, dt);
+    }
+    const float least = least_of(others);
+    return publish_force(ep, to.s * (force < least ? least : force));
 }
 
 /* ---- start-up ------------------------------------------------------------------------------- */
@@ -350,9 +467,22 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
     return EPF_OK;
 }
 
+/* Puts the state to z, and ends the motion that led to another */
+static inline void rest_at(epf_f32_t *ep, float z)
+{
+    ep->z = z;
+    ep->z_low = 0.0f;
+    stand_still(ep);
+    (void)publish_force(ep, ep->coeffs->sigma_0 * z);
+}
+
+/* Field by field: an initialiser may become a call of memset */
 void epf_f32_init(epf_f32_t *ep, const epf_f32_coeffs_t *coeffs)
 {
-    *ep = (epf_f32_t){.coeffs = coeffs};
+    ep->coeffs = coeffs;
+    ep->rejected = 0;
+    ep->published = 0;
+    rest_at(ep, 0.0f);
     epf_f32_set_velocity(ep, 0.0f);
 }
 
@@ -362,11 +492,7 @@ void epf_f32_reset(epf_f32_t *ep, float z)
         reject(ep);
         z = 0.0f;
     }
-    ep->z = within(z, ep->coeffs->z_max);
-    ep->z_low = 0.0f;
-    ep->dz = 0.0f;
-    ep->direction = 0;
-    (void)publish_force(ep, ep->coeffs->sigma_0 * ep->z);
+    rest_at(ep, within(z, ep->coeffs->z_max));
 }
 
 float epf_f32_z(const epf_f32_t *ep)

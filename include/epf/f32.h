@@ -3,35 +3,52 @@
  * @file f32.h
  * The estimator in single precision: displacement in m, velocity in m/s, time in s, force in N.
  *
- * State. z_k, the deflection of the contact, is kept as an unevaluated sum of two floats, so that
- * displacements far below the last digit of z add up instead of vanishing, and what goes in comes
- * out again: there is no drift. The sum of the displacements is exact in the elastic regime as long
- * as each of them is 0 or at least 2^-23 z_max; smaller ones are each rounded by 2^-48 z_max at the
- * most.
+ *     epf_f32_t contact;
+ *     epf_f32_init(&contact, &coeffs);                start-up; coeffs: EPF_F32_COEFFS or epf_f32_coeffs_init
+ *     force = epf_f32_step(&contact, dx, v, dt);      where displacement and velocity come together
  *
- * Promise. With valid coefficients, and whatever the inputs are:
- *  - every returned z obeys |z| <= z_max, and after any motion |z| <= max(|z before|, z_ss(v));
- *  - every returned force is finite;
- *  - a NaN is counted and changes nothing else (but for reset it is 0), and one good sample after it is
- *    a good sample. A leap
- *    is no NaN: it saturates the state, which the next motion or a reset then corrects.
+ *     epf_f32_set_velocity(&contact, v);              or split: the control loop, which divides ...
+ *     epf_f32_advance(&contact, dx);                  ... and the encoder interrupt, which does not
+ *     force = epf_f32_force(&contact, dt);
  *
- * Contexts. Three may share one estimator without locks:
+ * Promises. With valid coefficients, and whatever the inputs are:
+ *  - |z| <= z_max, and after any motion |z| <= max(|z before|, z_ss(v));
+ *  - the force is finite;
+ *  - a displacement of 2 z_max or more, infinity included, ends exactly in z_ss(v);
+ *  - NaN is ignored, and counted in `rejected`; one good sample after it is a good sample. A jump of
+ *    dx is valid input: it saturates the state, which the next motion or a reset then corrects;
+ *  - step returns and leaves, bit for bit, what set_velocity, advance and force would.
+ *
+ * State. z is kept as an unevaluated sum of two floats, so that displacements far below the last
+ * digit of z add up instead of vanishing, and what goes in comes out again: there is no drift. The
+ * sum of the displacements is exact in the elastic regime as long as each of them is 0 or at least
+ * 2^-23 z_max; smaller ones are each rounded by 2^-48 z_max at the most. One step is within 1e-6 z_max
+ * of the same step in double precision.
+ *
+ * Contexts. Three may share one estimator without locks, on one core:
  *  - the *displacement* context (an encoder interrupt, or the control loop) calls advance, update,
  *    force, step and reset, and alone changes the state;
  *  - the *velocity* context (the control loop) may call set_velocity at another priority: the
  *    operating point is prepared aside and published by one byte store, so that advance never sees
- *    half of it. Where the velocity context is the one that preempts, it must not do so twice
- *    within one advance or force;
- *  - any number of *readers* call output, which loads the one word that force stores.
+ *    half of it. There are two operating points: a velocity context that interrupts may do so at
+ *    most once within one advance or force;
+ *  - any number of *readers* call output, z, or read `rejected`: one load of an aligned word each.
  * A function that belongs to two contexts (update, step) puts both at the same priority. On a core
- * that loads a float in pieces (8 and 16 bits), the readers disable the interrupt around output. All
- * contexts run on one core: nothing here orders the memory of a second one. `rejected` is counted by
- * both the displacement and the velocity context; where one interrupts the other while it counts,
- * the count of the interruption is lost.
+ * that loads a word in pieces (8 and 16 bits), the readers mask the interrupt meanwhile.
  *
- * Cost. No loop, no recursion, no libm, no heap, no static data. Divisions are stated per function;
- * the rest is multiplications, additions and comparisons of floats.
+ * `rejected` counts in both contexts, by a load, an addition and a store. If one context interrupts the
+ * other between these, what it has counted is lost; on 8 and 16 bit cores, where the count is loaded in
+ * pieces, it can also come out too high, by up to 2^24. Bad input that is rare is counted well all the
+ * same; where the count itself must be exact, call set_velocity with the interrupt masked.
+ *
+ * Arithmetic. IEEE single precision, rounded to nearest. f32.c refuses -ffast-math where the compiler
+ * says so, and switches reassociation off where it is silent (clang); the promises then hold, but the
+ * bits are not those of other builds. Where subnormal numbers are flushed to zero (some FPUs at
+ * start-up, -ffast-math at link time) the promises hold too; signals below FLT_MIN then count as 0 (but
+ * dx as a motion of no length), and a dt below it as unusable.
+ *
+ * Cost. No loop, no recursion, no call of memset or libm, no heap, no static data. Divisions are stated
+ * per function; the rest is multiplications, additions and comparisons of floats.
  */
 #ifndef EPF_F32_H
 #define EPF_F32_H
@@ -73,16 +90,29 @@ typedef struct {
 
 /** One contact. Allocate it anywhere, initialise it by epf_f32_init. Only `rejected` is public. */
 typedef struct {
-    const epf_f32_coeffs_t *coeffs;
     epf_f32_point_t points[2]; /* the published operating point, and the one being prepared */
-    float z;                   /* z_k, m, to float precision */
-    float z_low;               /* what z_k has beyond that */
-    float dz;                  /* z_k - z_{k-1}, m */
-    float force;               /* as last published, N */
-    uint32_t rejected;         /**< unusable input values seen since init; stays at UINT32_MAX */
-    int8_t direction;          /* sgn dx_k */
-    uint8_t published;         /* index of the published operating point */
+    const epf_f32_coeffs_t *coeffs;
+    float z;           /* z_k, m, to float precision */
+    float z_low;       /* what z_k has beyond that */
+    float dz;          /* z_k - z_{k-1}, m */
+    float force;       /* as last published, N */
+    uint32_t rejected; /**< unusable input values seen since init; stays at UINT32_MAX */
+    int8_t direction;  /* sgn dx_k; 0 after init and reset */
+    uint8_t published; /* index of the published operating point */
 } epf_f32_t;
+
+/*
+ * A library for one form of f_ss would use coefficients of another form as if they were of its own. So
+ * there the functions that take coefficients have that form in their names for the linker, and code
+ * that was compiled without the same EPF_STRIBECK_ONLY does not link.
+ */
+#ifdef EPF_STRIBECK_ONLY
+#define EPF_F32_FOR_(name, form)      EPF_F32_FOR_FORM_(name, form)
+#define EPF_F32_FOR_FORM_(name, form) name##_for_##form
+#define epf_f32_init                  EPF_F32_FOR_(epf_f32_init, EPF_STRIBECK_ONLY)
+#define epf_f32_fss                   EPF_F32_FOR_(epf_f32_fss, EPF_STRIBECK_ONLY)
+#define epf_f32_alpha                 EPF_F32_FOR_(epf_f32_alpha, EPF_STRIBECK_ONLY)
+#endif
 
 /**
  * Makes coefficients at run time.
@@ -116,16 +146,17 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
  * @param ep      estimator, not null.
  * @param coeffs  valid coefficients, not null, which must outlive the estimator.
  *
- * Context: start-up, before any other call. Cost: that of epf_f32_set_velocity.
+ * Context: start-up, before any other call. Cost: epf_f32_set_velocity, and eight stores.
  */
 void epf_f32_init(epf_f32_t *ep, const epf_f32_coeffs_t *coeffs);
 
 /**
  * Puts the state to z, as after homing, and publishes the force sigma_0 z of a contact at rest.
- * Velocity and the count of rejected values stay.
+ * The velocity and the count of rejected values stay. The last displacement is forgotten: until the
+ * next one force has no damping term, and the viscous term has the sign of v.
  *
  * @param ep  estimator.
- * @param z   deflection, m; clamped to [-z_max, z_max]; NaN counts as rejected and gives z = 0.
+ * @param z   deflection, m; clamped to [-z_max, z_max]; NaN sets z = 0, and is counted.
  *
  * Context: displacement. Cost: no division.
  */
@@ -163,10 +194,10 @@ float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v);
  * @param ep  estimator.
  * @param v   velocity, m/s. Its sign is used by the force, and only while dx = 0. Where it is infinite
  *            z_ss is that of the high-speed limit, and the viscous term, if there is one, saturates.
- *            NaN counts as rejected, and the last velocity stays.
+ *            NaN is counted, and the last velocity stays.
  *
- * Context: velocity. Cost: 2 divisions with eq. (8), 1 with (6) and (7); 2 more for parameters with
- * which z_ss (z_ss - z_ba) leaves the range of float.
+ * Context: velocity. Cost: 2 divisions with eq. (8), 1 with (6) and (7); 1 more for parameters with
+ * which z_ss (z_ss - z_ba) is not between FLT_MIN and 2^126 m^2.
  */
 void epf_f32_set_velocity(epf_f32_t *ep, float v);
 
@@ -176,7 +207,7 @@ void epf_f32_set_velocity(epf_f32_t *ep, float v);
  *
  * @param ep  estimator.
  * @param dx  displacement since the last call, m; from 2 z_max on, and for infinity, the state ends
- *            in z_ss(v). NaN counts as rejected and changes nothing else.
+ *            in z_ss(v). NaN is counted and changes nothing else.
  * @return z_k in m, |z_k| <= z_max.
  *
  * Context: displacement. Cost: no division; least in the elastic regime.
@@ -200,16 +231,22 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
  *
  *     f = sigma_0 z_k + sigma_1 (z_k - z_{k-1})/dt + sigma_2 v',   v' = |v| sgn(dx), or v if dx = 0
  *
- * It opposes motion towards +x where positive, so a compensator adds it to its command. Where the
- * deflection is giving way to the motion (case 1: |z_ss(v)| fell below |z|) the damping term
- * opposes the other two, and is limited to 1 - 2^-10 of them (the passivity guard): Theorems 3 and
- * 4 then hold for every sigma_1 and dt. Up to 1 - 2^-10 of eq. (22) the guard does not act.
+ * It opposes motion towards +x where positive, so a compensator adds it to its command.
+ *
+ * The passivity guard: where the deflection gives way to the motion (case 1: |z_ss(v)| fell below |z|)
+ * the damping term opposes the other two, and is limited to 1 - 2^-10 of them. Theorems 3 and 4 then
+ * hold for every sigma_1 and dt, unless sigma_0 z_ba or f_c/1024 is too small for a float. The guard
+ * changes nothing while sigma_1 is below 0.998 of bound (22) (epf_sigma_1_limit) and
+ * f_max >= 1.001 f_c. For f_max nearer to f_c the roundings of z, 2^-24 z_max each, are no longer small
+ * beside z_max - z_c: the guard may then act below the bound.
  *
  * @param ep  estimator.
  * @param dt  time over which the last displacement took place, s. Unless it is positive and finite
- *            it counts as rejected and the damping term is 0.
- * @return force in N; always finite: where it would not be, the damping and the viscous term saturate
- *         at FLT_MAX/4 each, so that it falls there.
+ *            it is counted, and the damping term is 0.
+ * @return force in N, always finite: where a term or the sum is not, the damping and the viscous term
+ *         are limited to FLT_MAX/4 each; near overflow the returned force is therefore smaller.
+ *         sigma_1 dz may overflow as long as sigma_1 dz/dt does not; where it is below FLT_MIN the
+ *         damping term loses digits.
  *
  * Publishes the force for epf_f32_output by one store of an aligned word.
  * Context: displacement. Cost: 1 division.
@@ -217,7 +254,7 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
 float epf_f32_force(epf_f32_t *ep, float dt);
 
 /**
- * update, then force: all of Algorithm 1.
+ * update, then force: all of Algorithm 1, in one pass and with the same bits.
  *
  * @param ep  estimator.
  * @param dx  displacement, m, as for epf_f32_advance.

@@ -6,7 +6,7 @@
 #ifndef EPF_TESTS_CHECKSUMS_H
 #define EPF_TESTS_CHECKSUMS_H
 
-#define CHECKSUM_F32 0xc8667e61u
+#define CHECKSUM_F32 0x559600c0u
 #define CHECKSUM_Q31 0xbc28ac99u
 #define CHECKSUM_Q15 0xeb68bde8u
 

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* libFuzzer drives parameters and inputs, bit by bit: no accepted parameter set and no input may
-   take the estimator out of its bounds. */
+/*
+ * libFuzzer drives parameters and inputs: no accepted contact and no input may break a sentence of
+ * f32.h. What it is given is not taken bit by bit alone, for that would seldom hit what matters, but
+ * also as neighbours and multiples of the contact's own lengths, in every exponent.
+ */
 #include "epf/epf.h"
 
 #include <math.h>
@@ -17,32 +20,316 @@ static void require(int condition)
     }
 }
 
+/* ---- the input ------------------------------------------------------------------------------ */
+
+static const uint8_t *next, *end;
+
+static unsigned take_byte(void)
+{
+    return next < end ? *next++ : 0u;
+}
+
+static float from_bits(uint32_t bits)
+{
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static uint32_t bits_of(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static float take_any_bits(void)
+{
+    uint32_t bits = 0;
+    for (int i = 0; i < 4; i++) {
+        bits = bits << 8 | take_byte();
+    }
+    return from_bits(bits);
+}
+
+/* Up to 7 floats away from x, which is positive */
+static float take_neighbour(float x)
+{
+    return from_bits(bits_of(x) + take_byte() % 15u - 7u);
+}
+
+/* Any power of two and 8 more bits */
+static float take_magnitude(void)
+{
+    const unsigned exponent = take_byte();
+    return from_bits((uint32_t)(exponent % 255u) << 23 | take_byte() << 15);
+}
+
+/* A value that has to do with one of the contact's own, or none */
+static float take_value(const float *own, unsigned count)
+{
+    static const float special[] = {0.0f, 0x1p-149f, FLT_MIN, 1.0f, FLT_MAX, INFINITY, NAN};
+    const unsigned kind = take_byte();
+    const float s = kind & 1u ? -1.0f : 1.0f;
+    switch (kind >> 1 & 7u) {
+    case 0:
+        return take_any_bits();
+    case 1:
+        return s * special[take_byte() % 7u];
+    case 2:
+        return s * take_magnitude();
+    case 3:
+        return s * take_neighbour(own[take_byte() % count]);
+    case 4:
+        return s * take_neighbour(2.0f * own[take_byte() % count]);
+    default:
+        return s * own[take_byte() % count] * (float)take_byte() / 64.0f;
+    }
+}
+
+/* Contacts of every size; often with f_max next to f_c, and z_ba next to z_c or to 0 */
+static epf_params_t take_params(void)
+{
+    const unsigned kind = take_byte();
+    epf_params_t p = {0};
+    p.stribeck = (epf_stribeck_t)(kind % 4u);
+    p.sigma_0 = take_magnitude();
+    p.sigma_1 = kind & 4u ? take_magnitude() : 0.0f;
+    p.sigma_2 = kind & 8u ? take_magnitude() : 0.0f;
+    p.f_c = take_magnitude();
+    p.f_max = kind & 16u ? take_neighbour(p.f_c) : p.f_c * (1.0f + (float)take_byte() / 16.0f);
+    p.v_s = take_magnitude();
+    const float z_c = p.f_c / p.sigma_0;
+    p.z_ba = kind & 32u ? take_neighbour(z_c) : z_c * (float)take_byte() / 256.0f;
+    return kind & 64u ? (epf_params_t){take_any_bits(), take_any_bits(), take_any_bits(),
+                                       take_any_bits(), take_any_bits(), take_any_bits(),
+                                       take_any_bits(), p.stribeck,      EPF_UPDATE_SATURATED}
+                      : p;
+}
+
+/* ---- what f32.h says ------------------------------------------------------------------------ */
+
+typedef struct {
+    float dx, v, dt;
+    epf_f32_t before, after;
+    float force;
+    float s, d;                    /* sgn dx, |dx| */
+    float zeta_before, zeta, z_ss; /* in the direction of the motion */
+} step_t;
+
+static int same_bits(float a, float b)
+{
+    return bits_of(a) == bits_of(b);
+}
+
+static void same_state(const epf_f32_t *a, const epf_f32_t *b)
+{
+    const epf_f32_point_t *p = &a->points[a->published];
+    const epf_f32_point_t *q = &b->points[b->published];
+    require(same_bits(a->z, b->z) && same_bits(a->z_low, b->z_low) && same_bits(a->dz, b->dz));
+    require(same_bits(a->force, b->force) && a->rejected == b->rejected);
+    require(a->direction == b->direction && same_bits(p->v, q->v) && same_bits(p->z_ss, q->z_ss));
+    require(same_bits(p->inv_z_ss, q->inv_z_ss) && same_bits(p->inv_span, q->inv_span));
+}
+
+static double exact_z(const epf_f32_t *ep)
+{
+    return (double)ep->z + (double)ep->z_low;
+}
+
+static int is_usable_time(float dt)
+{
+    return dt > 0.0f && dt <= FLT_MAX;
+}
+
+static void bounds_hold(const step_t *step)
+{
+    const epf_f32_coeffs_t *c = step->after.coeffs;
+    require(isfinite(step->force));
+    require(fabsf(step->after.z) <= c->z_max);
+    require(fabs(exact_z(&step->after)) <= (double)c->z_max);
+    require(step->z_ss >= c->z_c && step->z_ss <= c->z_max);
+    require(same_bits(epf_f32_output(&step->after), step->force));
+    require(same_bits(epf_f32_z(&step->after), step->after.z));
+    if (step->s != 0.0f) {
+        require(step->zeta <= step->z_ss);
+        require(step->zeta >= fminf(step->zeta_before, step->z_ss));
+    } else {
+        require(step->after.z == step->before.z && step->after.z_low == step->before.z_low);
+    }
+}
+
+static void bad_values_are_counted(const step_t *step)
+{
+    const unsigned bad = (unsigned)(isnan(step->dx) + isnan(step->v) + !is_usable_time(step->dt));
+    require(step->after.rejected - step->before.rejected == bad);
+    if (isnan(step->v)) {
+        const epf_f32_t *old = &step->before;
+        require(same_bits(step->z_ss, old->points[old->published].z_ss));
+    }
+    if (isnan(step->dx)) {
+        require(same_bits(step->after.dz, step->before.dz));
+        require(step->after.direction == step->before.direction);
+    }
+}
+
+static void leaps_arrive(const step_t *step)
+{
+    if (step->s != 0.0f && step->d >= 2.0f * step->after.coeffs->z_max) {
+        require(step->zeta == step->z_ss && step->after.z_low == 0.0f);
+    }
+}
+
+/* Lemma 1, to within one rounding of dx, and of the gap where that closed; and elastic below z_ba:
+   dz = dx to the bit */
+static void deflection_follows(const step_t *step)
+{
+    const epf_f32_coeffs_t *c = step->after.coeffs;
+    if (step->s == 0.0f) {
+        return;
+    }
+    const double before = (double)step->s * exact_z(&step->before);
+    const double after = (double)step->s * exact_z(&step->after);
+    const double precision = step->zeta == step->z_ss ? 0x1p-22 : 0x1p-46;
+    const double rounding = precision * (double)c->z_max + 0x1p-149;
+    const double at_most = (double)step->d * (1.0 + (double)FLT_EPSILON) + rounding;
+    if (before < (double)step->z_ss) {
+        require(after >= before - rounding && after - before <= at_most);
+        const double dz = (double)(step->s * step->after.dz);
+        require(dz >= 0.0 && dz <= at_most);
+    }
+    if (before + (double)step->d < (double)c->z_ba) {
+        require(same_bits(step->after.dz, step->dx));
+        require(fabs(after - before - (double)step->d) <= rounding);
+    }
+}
+
+/* Theorem 3, where float can show it; Theorem 4 */
+static void motion_dissipates(const step_t *step)
+{
+    const epf_f32_coeffs_t *c = step->after.coeffs;
+    if (step->s == 0.0f) {
+        return;
+    }
+    const int is_plastic = step->zeta_before > c->z_ba || step->zeta == step->z_ss;
+    if (is_plastic && c->sigma_0 * c->z_ba >= FLT_MIN && c->f_c >= 1024.0f * FLT_MIN) {
+        require(step->s * step->force > 0.0f);
+    }
+    const double d = fmin((double)step->d, (double)FLT_MAX);
+    const double z = (double)step->after.z;
+    const double z_before = (double)step->before.z;
+    const double gained = (double)c->sigma_0 / 2.0 * (z - z_before) * (z + z_before);
+    const double range = fmin(d, 2.0 * (double)c->z_max) + (double)c->z_max;
+    const double rounding = 4.0 * (double)FLT_EPSILON * (double)c->f_max * range;
+    require((double)step->force * (double)step->s * d >= gained - rounding - 0x1p-140 * d);
+}
+
+/* Eq. (14), as long as no term is near the end of the range, nor the guard at work */
+static void force_is_eq_14(const step_t *step)
+{
+    const epf_f32_coeffs_t *c = step->after.coeffs;
+    const epf_f32_t *ep = &step->after;
+    const double speed = (double)ep->points[ep->published].v;
+    const double v = ep->direction == 0 ? speed : ep->direction * fabs(speed);
+    const double elastic = (double)c->sigma_0 * (double)ep->z;
+    const double viscous = c->sigma_2 > 0.0f ? (double)c->sigma_2 * v : 0.0;
+    const double damped =
+        is_usable_time(step->dt) ? (double)c->sigma_1 * (double)ep->dz / (double)step->dt : 0.0;
+    const double size = fabs(elastic) + fabs(viscous) + fabs(damped);
+    if (ep->dz * (float)ep->direction < 0.0f || !(size < (double)FLT_MAX / 8.0) ||
+        (damped != 0.0 && fabs((double)c->sigma_1 * (double)ep->dz) < (double)FLT_MIN)) {
+        return;
+    }
+    const double tolerance = 4.0 * (double)FLT_EPSILON * size + (double)FLT_MIN;
+    require(fabs((double)step->force - (elastic + viscous + damped)) <= tolerance);
+}
+
+static void pure_functions_are_in_range(const epf_f32_coeffs_t *c, float z, float v)
+{
+    const float f_ss = epf_f32_fss(c, v);
+    const float alpha = epf_f32_alpha(c, z, v);
+    require(alpha >= 0.0f && alpha <= 1.0f);
+    require(v > 0.0f || v < 0.0f ? fabsf(f_ss) >= c->f_c && fabsf(f_ss) <= c->f_max : f_ss == 0.0f);
+    require(same_bits(alpha, epf_f32_alpha(c, -z, -v)));
+}
+
+/* ---- one contact ---------------------------------------------------------------------------- */
+
+static step_t take_step(epf_f32_t *ep, float dx, float v, float dt)
+{
+    step_t step = {.dx = dx, .v = v, .dt = dt, .before = *ep};
+    step.force = epf_f32_step(ep, dx, v, dt);
+    step.after = *ep;
+    step.s = dx > 0.0f ? 1.0f : dx < 0.0f ? -1.0f : 0.0f;
+    step.d = fabsf(dx);
+    step.zeta_before = step.s * step.before.z;
+    step.zeta = step.s * step.after.z;
+    step.z_ss = step.after.points[step.after.published].z_ss;
+    return step;
+}
+
+static void same_in_parts(epf_f32_t ep, const step_t *step)
+{
+    epf_f32_set_velocity(&ep, step->v);
+    require(same_bits(epf_f32_advance(&ep, step->dx), step->after.z));
+    require(same_bits(epf_f32_force(&ep, step->dt), step->force));
+    same_state(&ep, &step->after);
+}
+
+static void mirror_image_follows(epf_f32_t *mirror, const step_t *step)
+{
+    const float force = epf_f32_step(mirror, -step->dx, -step->v, step->dt);
+    require(force == -step->force && mirror->z == -step->after.z);
+}
+
+static void reset_forgets(epf_f32_t *ep, float z)
+{
+    const uint32_t rejected = ep->rejected;
+    epf_f32_reset(ep, z);
+    const float expected = isnan(z) ? 0.0f : fmaxf(-ep->coeffs->z_max, fminf(z, ep->coeffs->z_max));
+    require(ep->z == expected && ep->rejected - rejected == (uint32_t)isnan(z));
+    require(same_bits(epf_f32_output(ep), ep->coeffs->sigma_0 * ep->z));
+    epf_f32_t fresh;
+    epf_f32_init(&fresh, ep->coeffs);
+    fresh.rejected = ep->rejected;
+    epf_f32_set_velocity(&fresh, ep->points[ep->published].v);
+    epf_f32_reset(&fresh, expected);
+    same_state(ep, &fresh);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    float values[7];
-    epf_f32_coeffs_t coeffs;
-    epf_f32_t ep;
-    if (size < sizeof values + 1) {
+    next = data;
+    end = data + size;
+    const epf_params_t params = take_params();
+    epf_f32_coeffs_t c;
+    if (epf_f32_coeffs_init(&c, &params) != EPF_OK) {
         return 0;
     }
-    memcpy(values, data, sizeof values);
-    const epf_params_t params = {
-        values[0],           values[1], values[2], values[3],
-        values[4],           values[5], values[6], (epf_stribeck_t)(data[sizeof values] % 4),
-        EPF_UPDATE_SATURATED};
-    if (epf_f32_coeffs_init(&coeffs, &params) != EPF_OK) {
-        return 0;
-    }
-    epf_f32_init(&ep, &coeffs);
-    for (size_t i = sizeof values + 1; i + 12 <= size; i += 12) {
-        float sample[3];
-        memcpy(sample, data + i, sizeof sample);
-        const float z_before = epf_f32_z(&ep);
-        const float force = epf_f32_step(&ep, sample[0], sample[1], sample[2]);
-        const float z = epf_f32_z(&ep);
-        require(isfinite(force) && fabsf(z) <= coeffs.z_max);
-        require(!(sample[0] != sample[0] || sample[0] == 0.0f) || z == z_before);
-        require(epf_f32_output(&ep) == force);
+    const float lengths[] = {c.z_max, c.z_c, c.z_ba, c.z_c - c.z_ba, c.z_max * 0x1p-24f};
+    const float speeds[] = {params.v_s, params.v_s * 0x1p-12f, params.v_s * 0x1p12f};
+    const float times[] = {1e-3f, 1e-6f, 1.0f};
+    epf_f32_t ep, mirror;
+    epf_f32_init(&ep, &c);
+    epf_f32_init(&mirror, &c);
+    while (next < end) {
+        if (take_byte() % 16u == 0u) {
+            const float z = take_value(lengths, 5);
+            reset_forgets(&ep, z);
+            epf_f32_reset(&mirror, -z);
+        }
+        const float dx = take_value(lengths, 5);
+        const float v = take_value(speeds, 3);
+        const step_t step = take_step(&ep, dx, v, take_value(times, 3));
+        bounds_hold(&step);
+        bad_values_are_counted(&step);
+        leaps_arrive(&step);
+        deflection_follows(&step);
+        motion_dissipates(&step);
+        force_is_eq_14(&step);
+        pure_functions_are_in_range(&c, ep.z, v);
+        same_in_parts(step.before, &step);
+        mirror_image_follows(&mirror, &step);
     }
     return 0;
 }

@@ -10,6 +10,32 @@
 
 static const float sigma_1_over_limit[] = {0.5f, 1e4f};
 
+#define LORENTZIAN EPF_STRIBECK_LORENTZIAN
+#define GAUSSIAN   EPF_STRIBECK_GAUSSIAN
+#define COULOMB    EPF_STRIBECK_COULOMB
+#define SATURATED  EPF_UPDATE_SATURATED
+
+/* sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba */
+static const parameter_set_t corners[] = {
+    {"z_ba the float below z_c",
+     {1.0f, 1.0f, 1.0f, 2.25f, 3.0f, 1e-3f, 2.24999976f, LORENTZIAN, SATURATED}},
+    {"z_ba the float below z_c, f_max = 1e5 f_c",
+     {1.0f, 1.0f, 0.0f, 1.0f, 1e5f, 1e-3f, 0.99999994f, GAUSSIAN, SATURATED}},
+    {"f_max the float above f_c",
+     {1e5f, 1e3f, 0.0f, 1.0f, 1.00000012f, 1e-3f, 8e-6f, LORENTZIAN, SATURATED}},
+    {"f_max = f_c, sigma_1 huge",
+     {1e5f, 1e30f, 0.0f, 1.0f, 1.0f, 1e-3f, 8e-6f, COULOMB, SATURATED}},
+    {"contact of 1e-30 m", {1e30f, 1e20f, 1.0f, 1.0f, 1.5f, 1e-3f, 5e-31f, LORENTZIAN, SATURATED}},
+    {"contact of 1e37 m",
+     {1e-20f, 1e-10f, 1.0f, 1e17f, 2e17f, 1e-3f, 5e36f, LORENTZIAN, SATURATED}},
+    {"contact of 1e-30 m, Gaussian",
+     {1e30f, 1e20f, 1.0f, 1.0f, 9.0f, 1e-3f, 9e-31f, GAUSSIAN, SATURATED}},
+    {"largest force", {1e36f, 1e36f, 1e36f, 1e37f, 2e37f, 1e-3f, 1.0f, LORENTZIAN, SATURATED}},
+    {"smallest force", {1.0f, 1.0f, 0.0f, 1e-34f, 1.5e-34f, 1e-3f, 5e-35f, LORENTZIAN, SATURATED}},
+};
+
+enum { CORNERS = sizeof corners / sizeof corners[0] };
+
 float f32_from_double(double x)
 {
     return x > (double)FLT_MAX ? INFINITY : x < -(double)FLT_MAX ? -INFINITY : (float)x;
@@ -78,5 +104,13 @@ void f32_walk(unsigned samples, f32_visitor_t visit)
 {
     for (int i = 0; i < PARAMETER_SETS * 2; i += EFFORT_CONTACTS_ONE_IN) {
         walk_contact(&parameter_sets[i / 2], sigma_1_over_limit[i % 2], samples, visit);
+    }
+}
+
+void f32_walk_corners_too(unsigned samples, f32_visitor_t visit)
+{
+    f32_walk(samples, visit);
+    for (int i = 0; i < CORNERS * 2; i += EFFORT_CONTACTS_ONE_IN) {
+        walk_contact(&corners[i / 2], sigma_1_over_limit[i % 2], samples, visit);
     }
 }

@@ -35,7 +35,7 @@ static void deflects_by_no_more_than_the_displacement(const f32_step_t *step)
 
 static void test_lemma1_deflection_is_between_nothing_and_displacement(void)
 {
-    f32_walk(5000, deflects_by_no_more_than_the_displacement);
+    f32_walk_corners_too(5000, deflects_by_no_more_than_the_displacement);
 }
 
 static void plastic_displacement_follows_the_motion(const f32_step_t *step)
@@ -52,7 +52,7 @@ static void plastic_displacement_follows_the_motion(const f32_step_t *step)
 
 static void test_lemma2_plastic_displacement_has_the_direction_of_motion(void)
 {
-    f32_walk(5000, plastic_displacement_follows_the_motion);
+    f32_walk_corners_too(5000, plastic_displacement_follows_the_motion);
 }
 
 /* (b) of the proposition: what stays below z_ba is elastic */
@@ -66,7 +66,7 @@ static void elastic_displacement_is_all_deflection(const f32_step_t *step)
 
 static void test_lemma2_contact_is_elastic_below_z_ba(void)
 {
-    f32_walk(5000, elastic_displacement_is_all_deflection);
+    f32_walk_corners_too(5000, elastic_displacement_is_all_deflection);
 }
 
 int main(void)

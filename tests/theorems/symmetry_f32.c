@@ -26,7 +26,7 @@ static void mirror_image_follows(const f32_step_t *step)
 
 static void test_oddness_negated_inputs_negate_outputs_exactly(void)
 {
-    f32_walk(5000, mirror_image_follows);
+    f32_walk_corners_too(5000, mirror_image_follows);
 }
 
 static void test_oddness_of_steady_state_and_alpha_is_exact(void)

@@ -20,7 +20,7 @@ static void state_is_bounded(const f32_step_t *step)
 
 static void test_theorem1_state_is_bounded_for_any_sequence(void)
 {
-    f32_walk(5000, state_is_bounded);
+    f32_walk_corners_too(5000, state_is_bounded);
 }
 
 /* The bound is that of the moment: after a motion the state is where it was, or within z_ss(v) */
@@ -36,7 +36,7 @@ static void state_is_bounded_by_z_ss(const f32_step_t *step)
 
 static void test_theorem1_state_after_motion_is_bounded_by_steady_state(void)
 {
-    f32_walk(5000, state_is_bounded_by_z_ss);
+    f32_walk_corners_too(5000, state_is_bounded_by_z_ss);
 }
 
 static void force_is_finite(const f32_step_t *step)
@@ -46,7 +46,7 @@ static void force_is_finite(const f32_step_t *step)
 
 static void test_theorem1_force_is_finite_for_any_sequence(void)
 {
-    f32_walk(5000, force_is_finite);
+    f32_walk_corners_too(5000, force_is_finite);
 }
 
 int main(void)

@@ -81,7 +81,7 @@ static void full_leap_arrives(const f32_step_t *step)
 
 static void test_theorem2_displacement_of_2_z_max_arrives_at_once(void)
 {
-    f32_walk(5000, full_leap_arrives);
+    f32_walk_corners_too(5000, full_leap_arrives);
 }
 
 int main(void)

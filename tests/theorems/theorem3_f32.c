@@ -31,7 +31,7 @@ static void force_opposes_plastic_motion(const f32_step_t *step)
 
 static void test_theorem3_plastic_displacement_dissipates_for_every_sigma_1(void)
 {
-    f32_walk(5000, force_opposes_plastic_motion);
+    f32_walk_corners_too(5000, force_opposes_plastic_motion);
 }
 
 static unsigned violations, guarded, steps_within_bound;
@@ -80,11 +80,45 @@ static void test_theorem3_guard_changes_nothing_within_equation_22(void)
     TEST_ASSERT_TRUE_MESSAGE(guarded > EFFORT(1000), "case 1 must have occurred");
 }
 
+/* A contact whose f_max is 1.001 to 11 times f_c, and a sigma_1 at 0.998 of eq. (22) */
+static epf_params_t near_the_bound(sequence_t *q, float dt)
+{
+    epf_params_t p = {
+        1e5f, 0.0f, 0.0f, 1.0f, 1.0f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
+    p.sigma_0 = (float)sequence_uniform(q, 1e3, 1e6);
+    p.f_c = (float)sequence_uniform(q, 0.5, 2.0);
+    const double excess = sequence_uniform(q, 0.0, 1.0);
+    p.f_max = p.f_c * (float)(1.001 + 10.0 * excess * excess * excess * excess);
+    p.z_ba = p.f_c / p.sigma_0 * (float)sequence_uniform(q, 0.1, 0.9);
+    p.sigma_1 = 0.998f * epf_sigma_1_limit(&p, 0.0f, dt);
+    return p;
+}
+
+/* From the largest deflection to the smallest z_ss, the worst that case 1 can do; by eq. (14) itself */
+static void test_theorem3_guard_changes_nothing_up_to_0_998_of_the_bound(void)
+{
+    sequence_t q;
+    sequence_start(&q, SEQUENCE_RANDOM_WALK, 5);
+    for (long i = 0; i < EFFORT(100000L); i++) {
+        const float dt = 1e-3f;
+        const epf_params_t p = near_the_bound(&q, dt);
+        epf_f32_coeffs_t c;
+        epf_f32_t ep;
+        TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&c, &p));
+        epf_f32_init(&ep, &c);
+        epf_f32_reset(&ep, c.z_max);
+        const float force = epf_f32_step(&ep, 1e-9f, INFINITY, dt);
+        const float printed = c.sigma_0 * c.z_c + c.sigma_1 * (c.z_c - c.z_max) / dt;
+        TEST_ASSERT_TRUE(force == printed);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_theorem3_plastic_displacement_dissipates_for_every_sigma_1);
     RUN_TEST(test_theorem3_fails_without_the_guard_far_outside_of_equation_22);
     RUN_TEST(test_theorem3_guard_changes_nothing_within_equation_22);
+    RUN_TEST(test_theorem3_guard_changes_nothing_up_to_0_998_of_the_bound);
     return UNITY_END() != 0;
 }

@@ -42,7 +42,7 @@ static void no_step_yields_energy(const f32_step_t *step)
 
 static void test_theorem4_no_step_yields_more_energy_than_was_stored(void)
 {
-    f32_walk(5000, no_step_yields_energy);
+    f32_walk_corners_too(5000, no_step_yields_energy);
 }
 
 static double work_done, largest_rounding;
@@ -60,7 +60,7 @@ static void no_sequence_yields_energy(const f32_step_t *step)
 
 static void test_theorem4_no_sequence_yields_energy_from_rest(void)
 {
-    f32_walk(5000, no_sequence_yields_energy);
+    f32_walk_corners_too(5000, no_sequence_yields_energy);
 }
 
 int main(void)

@@ -8,6 +8,9 @@
 
 #include <math.h>
 #include <string.h>
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
 
 #define TABLE_2 \
     1e5f, 1e3f, 0.4f, 1.0f, 1.5f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
@@ -130,6 +133,37 @@ static void test_reset_leaves_nothing_of_the_past(void)
     }
 }
 
+/* The force of a contact at rest, to the bit: 1e5 * 3e-6, and 1e5 * z_max */
+static void test_reset_publishes_sigma_0_z(void)
+{
+    epf_f32_reset(&ep, 3e-6f);
+    TEST_ASSERT_TRUE(epf_f32_output(&ep) == 1e5f * 3e-6f);
+    epf_f32_reset(&ep, INFINITY);
+    TEST_ASSERT_TRUE(epf_f32_output(&ep) == 1e5f * table_2.z_max);
+}
+
+/* By hand: 0.4 N s/m at 2 m/s is 0.8 N, in the direction of v where no displacement tells another */
+static void test_reset_forgets_the_direction_of_the_last_displacement(void)
+{
+    (void)epf_f32_step(&ep, -1e-6f, 2.0f, 1e-3f);
+    epf_f32_reset(&ep, 0.0f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, 0.8f, epf_f32_force(&ep, 1e-3f));
+    epf_f32_set_velocity(&ep, -2.0f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, -0.8f, epf_f32_force(&ep, 1e-3f));
+    (void)epf_f32_advance(&ep, 1e-6f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-5f, 0.1f + 0.8f, epf_f32_force(&ep, 1e3f)); /* along dx again */
+}
+
+/* Where dx = 0 the viscous term has the sign of v, also of one that is set afterwards */
+static void test_standstill_viscous_term_has_the_sign_of_v(void)
+{
+    (void)epf_f32_step(&ep, -1e-6f, 2.0f, 1e-3f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, -0.1f + 0.8f, epf_f32_step(&ep, 0.0f, 2.0f, 1e-3f));
+    epf_f32_set_velocity(&ep, -2.0f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, -0.1f - 0.8f, epf_f32_force(&ep, 1e-3f));
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, -0.1f + 0.8f, epf_f32_step(&ep, -0.0f, 2.0f, 1e-3f));
+}
+
 static void test_bad_displacement_nan_changes_nothing_and_is_counted(void)
 {
     (void)epf_f32_step(&ep, 5e-6f, 1e-3f, 1e-3f);
@@ -145,6 +179,129 @@ static void test_bad_displacement_infinity_saturates(void)
     TEST_ASSERT_TRUE(epf_f32_update(&ep, INFINITY, 0.0f) == table_2.z_max);
     TEST_ASSERT_TRUE(epf_f32_update(&ep, -INFINITY, 0.0f) == -table_2.z_max);
     TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
+}
+
+/* A contact made of the fields of epf_params_t, on which a defect was found once */
+static void use(epf_f32_coeffs_t *coeffs, const epf_params_t *params)
+{
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(coeffs, params));
+    epf_f32_init(&ep, coeffs);
+}
+
+/* A gap that is subnormal once had a share below 0, and infinity made NaN of it */
+static void test_leap_over_a_subnormal_gap_arrives(void)
+{
+    static const epf_f32_coeffs_t large = EPF_F32_COEFFS(
+        1, 0, 0, 1000, 1100, 1e-3f, 900, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED);
+    epf_f32_init(&ep, &large);
+    (void)epf_f32_step(&ep, INFINITY, 1e-3f, 1e-3f);
+    (void)epf_f32_step(&ep, -5.26888e-43f, 1e-3f, 1e-3f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-3f, 1050.0f, epf_f32_step(&ep, INFINITY, 1e-3f, 1e-3f));
+    TEST_ASSERT_FLOAT_WITHIN(1e-3f, 1050.0f, epf_f32_z(&ep));
+    TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
+}
+
+static void test_leap_of_any_length_over_a_subnormal_gap_arrives(void)
+{
+    static const float leaps[] = {4.5f, 10.0f, 1e38f, FLT_MAX, INFINITY};
+    const epf_params_t narrow = {1.0f,
+                                 0.0f,
+                                 0.0f,
+                                 2.25f,
+                                 2.25f,
+                                 1.0f,
+                                 2.25f - 1.0f / 3.0f,
+                                 EPF_STRIBECK_LORENTZIAN,
+                                 EPF_UPDATE_SATURATED};
+    epf_f32_coeffs_t coeffs;
+    for (int i = 0; i < 5; i++) {
+        use(&coeffs, &narrow);
+        TEST_ASSERT_TRUE(epf_f32_update(&ep, 10.0f, 1.0f) == 2.25f);
+        (void)epf_f32_update(&ep, -0x1p-149f, 1.0f);
+        TEST_ASSERT_TRUE(epf_f32_update(&ep, leaps[i], 1.0f) == 2.25f);
+        TEST_ASSERT_TRUE(ep.z_low == 0.0f);
+    }
+}
+
+/* By hand: elastic 1e-10 * 1e20 = 1e10 N; damping 1e30 * 1e20/1e25 = 1e25 N, though 1e50 is no float */
+static void test_force_damping_may_overflow_before_it_is_divided(void)
+{
+    const epf_params_t soft = {1e-10f,
+                               1e30f,
+                               0.0f,
+                               1e11f,
+                               1.1e11f,
+                               1e-3f,
+                               5e20f,
+                               EPF_STRIBECK_LORENTZIAN,
+                               EPF_UPDATE_SATURATED};
+    epf_f32_coeffs_t coeffs;
+    use(&coeffs, &soft);
+    (void)epf_f32_update(&ep, 1e20f, 0.0f);
+    TEST_ASSERT_FLOAT_WITHIN(1e19f, 1e25f, epf_f32_force(&ep, 1e25f));
+    use(&coeffs, &soft);
+    TEST_ASSERT_FLOAT_WITHIN(1e19f, 1e25f, epf_f32_step(&ep, 1e20f, 0.0f, 1e25f));
+    TEST_ASSERT_FLOAT_WITHIN(1e19f, -1e25f, epf_f32_step(&ep, -1e20f, 0.0f, 1e25f));
+}
+
+/* Next to overflow, too, what is negated comes out negated: 1e19 N s/m at 3e19 m/s, in the longest time */
+static void test_force_is_odd_next_to_overflow(void)
+{
+    const epf_params_t viscous = {
+        1.0f, 0.0f, 1e19f, 1.0f, 1.5f, 1e-3f, 0.5f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
+    epf_f32_coeffs_t coeffs;
+    epf_f32_t mirror;
+    use(&coeffs, &viscous);
+    epf_f32_init(&mirror, &coeffs);
+    const float force = epf_f32_step(&ep, 0.1f, 3e19f, FLT_MAX);
+    TEST_ASSERT_TRUE(force > 0.0f && isfinite(force));
+    TEST_ASSERT_TRUE(epf_f32_step(&mirror, -0.1f, -3e19f, FLT_MAX) == -force);
+}
+
+/* Sliding slower, then faster: the damping term, -1e40 N, is limited, whatever it is as a float */
+static void test_force_guard_holds_where_damping_overflows(void)
+{
+    const epf_params_t soft = {1e-10f,
+                               1e30f,
+                               0.0f,
+                               1e11f,
+                               2e11f,
+                               1e-3f,
+                               5e20f,
+                               EPF_STRIBECK_LORENTZIAN,
+                               EPF_UPDATE_SATURATED};
+    epf_f32_coeffs_t coeffs;
+    use(&coeffs, &soft);
+    (void)epf_f32_step(&ep, INFINITY, 0.0f, 1.0f);
+    TEST_ASSERT_FLOAT_WITHIN(1e4f, 1e11f / 1024.0f, epf_f32_step(&ep, 1.0f, INFINITY, 1e10f));
+    TEST_ASSERT_FLOAT_WITHIN(1e4f, 1e11f / 1024.0f, epf_f32_force(&ep, 1e10f));
+}
+
+/* Theorem 3 with nothing but the elastic term, and with the smallest force of which 2^-10 is a float */
+static void test_force_opposes_the_motion_where_all_other_terms_are_0(void)
+{
+    const epf_params_t bare = {
+        1e5f, 0.0f, 0.0f, 1.0f, 1.5f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
+    epf_params_t faint = {1.0f,
+                          FLT_MAX,
+                          0.0f,
+                          4.0f * FLT_MIN,
+                          8.0f * FLT_MIN,
+                          1e-3f,
+                          FLT_MIN,
+                          EPF_STRIBECK_COULOMB,
+                          EPF_UPDATE_SATURATED};
+    epf_f32_coeffs_t coeffs;
+    for (int s = -1; s <= 1; s += 2) {
+        use(&coeffs, &bare);
+        (void)epf_f32_step(&ep, (float)s, 0.0f, 1e-3f);
+        TEST_ASSERT_TRUE(epf_f32_step(&ep, (float)s, 1e3f, 1e-9f) == (float)s);
+        use(&coeffs, &faint);
+        (void)epf_f32_step(&ep, (float)s, 0.0f, 1.0f);
+        const float force = epf_f32_step(&ep, (float)s, 1e3f, 1e-9f); /* case 1 */
+        TEST_ASSERT_TRUE((float)s * force > 0.0f && (float)s * force <= FLT_MIN / 128.0f);
+        TEST_ASSERT_TRUE(epf_f32_force(&ep, 1e-9f) == force);
+    }
 }
 
 static void test_bad_velocity_nan_keeps_the_last_one_and_is_counted(void)
@@ -287,6 +444,83 @@ static void test_coeffs_z_max_is_the_sum_that_z_ss_is_and_not_above(void)
     TEST_ASSERT_TRUE(epf_f32_fss(&c, 1e-20f) <= p.f_max);
 }
 
+/* Where subnormal numbers are flushed to zero: also in what is only read */
+static void set_flush_to_zero(int on)
+{
+#if defined(__SSE__)
+    _mm_setcsr(on ? _mm_getcsr() | 0x8040u : _mm_getcsr() & ~0x8040u);
+#elif defined(__ARM_FP) && defined(__arm__)
+    uint32_t fpscr;
+    __asm volatile("vmrs %0, fpscr" : "=r"(fpscr));
+    fpscr = on ? fpscr | 1u << 24 : fpscr & ~(1u << 24);
+    __asm volatile("vmsr fpscr, %0" : : "r"(fpscr));
+#else
+    (void)on;
+#endif
+}
+
+static uint32_t exponent_and_mantissa(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits & 0x7fffffffu;
+}
+
+/* The bounds are those of the bits, for comparisons are flushed as well */
+static void test_flush_to_zero_promises_hold_for_any_bits(void)
+{
+    static const epf_params_t small = {1.0f,
+                                       1e-3f,
+                                       1e-3f,
+                                       3.0f * FLT_MIN,
+                                       3.1f * FLT_MIN,
+                                       1e-3f,
+                                       2.0f * FLT_MIN,
+                                       EPF_STRIBECK_LORENTZIAN,
+                                       EPF_UPDATE_SATURATED};
+    epf_f32_coeffs_t coeffs;
+    sequence_t q;
+    sequence_start(&q, SEQUENCE_EXTREMES, 23);
+    use(&coeffs, &small);
+    const uint32_t z_max = exponent_and_mantissa(coeffs.z_max);
+    uint32_t largest_z = 0, largest_force = 0, rejected = 0;
+    for (long i = 0; i < EFFORT(100000L); i++) {
+        const float scale = i % 2 ? 1.0f : 1e-30f;
+        const float dx = random_bits(&q) * scale;
+        const float v = random_bits(&q);
+        const float dt = random_bits(&q);
+        set_flush_to_zero(1);
+        const uint32_t force = exponent_and_mantissa(epf_f32_step(&ep, dx, v, dt));
+        set_flush_to_zero(0);
+        largest_force = force > largest_force ? force : largest_force;
+        const uint32_t z = exponent_and_mantissa(epf_f32_z(&ep));
+        largest_z = z > largest_z ? z : largest_z;
+        TEST_ASSERT_TRUE(ep.rejected >= rejected);
+        rejected = ep.rejected;
+    }
+    TEST_ASSERT_TRUE(largest_z <= z_max);
+    TEST_ASSERT_TRUE(largest_force < 0x7f800000u);
+    set_flush_to_zero(1);
+    const float z = epf_f32_update(&ep, 1.0f, 0.0f);
+    set_flush_to_zero(0);
+    TEST_ASSERT_TRUE(z >= coeffs.z_c && z <= coeffs.z_max);
+}
+
+/* A subnormal dt is one in IEEE arithmetic, and none where it is flushed: then it is counted */
+static void test_flush_to_zero_subnormal_time_is_usable_or_counted(void)
+{
+    (void)epf_f32_update(&ep, 4e-6f, 2e-3f);
+    TEST_ASSERT_TRUE(isfinite(epf_f32_force(&ep, 0x1p-140f)));
+    TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
+#if defined(__SSE__)
+    set_flush_to_zero(1);
+    const float force = epf_f32_force(&ep, 0x1p-140f);
+    set_flush_to_zero(0);
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, 0.4008f, force);
+    TEST_ASSERT_EQUAL_UINT32(1, ep.rejected);
+#endif
+}
+
 static void test_rejected_never_wraps(void)
 {
     ep.rejected = UINT32_MAX - 1;
@@ -331,8 +565,17 @@ int main(void)
     RUN_TEST(test_update_is_set_velocity_then_advance);
     RUN_TEST(test_reset_clamps_and_publishes_the_force_of_a_contact_at_rest);
     RUN_TEST(test_reset_leaves_nothing_of_the_past);
+    RUN_TEST(test_reset_publishes_sigma_0_z);
+    RUN_TEST(test_reset_forgets_the_direction_of_the_last_displacement);
+    RUN_TEST(test_standstill_viscous_term_has_the_sign_of_v);
     RUN_TEST(test_bad_displacement_nan_changes_nothing_and_is_counted);
     RUN_TEST(test_bad_displacement_infinity_saturates);
+    RUN_TEST(test_leap_over_a_subnormal_gap_arrives);
+    RUN_TEST(test_leap_of_any_length_over_a_subnormal_gap_arrives);
+    RUN_TEST(test_force_damping_may_overflow_before_it_is_divided);
+    RUN_TEST(test_force_is_odd_next_to_overflow);
+    RUN_TEST(test_force_guard_holds_where_damping_overflows);
+    RUN_TEST(test_force_opposes_the_motion_where_all_other_terms_are_0);
     RUN_TEST(test_bad_velocity_nan_keeps_the_last_one_and_is_counted);
     RUN_TEST(test_bad_velocity_infinity_is_the_high_speed_limit);
     RUN_TEST(test_bad_time_removes_the_damping_term_and_is_counted);
@@ -340,6 +583,8 @@ int main(void)
     RUN_TEST(test_bad_input_any_bits_leave_the_estimator_intact);
     RUN_TEST(test_range_contacts_of_any_size_move_alike);
     RUN_TEST(test_coeffs_z_max_is_the_sum_that_z_ss_is_and_not_above);
+    RUN_TEST(test_flush_to_zero_promises_hold_for_any_bits);
+    RUN_TEST(test_flush_to_zero_subnormal_time_is_usable_or_counted);
     RUN_TEST(test_rejected_never_wraps);
     RUN_TEST(test_contexts_set_velocity_prepares_aside_and_publishes_last);
     RUN_TEST(test_contexts_estimators_share_constant_coefficients);

@@ -163,7 +163,7 @@ static void step_agrees_with_oracle(const f32_step_t *step)
         oracle_update(step->params, (double)step->z_before, dx, (double)step->v);
     const double error = fabs((double)step->z - expected) / z_max;
     largest_step_error = fmax(largest_step_error, error);
-    f32_check(step, error <= 1e-5, "|dz| <= 1e-5 z_max against double precision");
+    f32_check(step, error <= 1e-6, "|dz| <= 1e-6 z_max against double precision");
 }
 
 static void test_equations_12_and_13_agree_with_the_oracle_from_the_same_state(void)

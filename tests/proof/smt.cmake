@@ -1,0 +1,32 @@
+# Proves the lemmas of smt/*.smt2: each asserts the contrary of what its first lines say, so that "unsat"
+# proves it. Needs SOURCE_DIR; takes every prover that it finds, z3 and cvc5, and at least one.
+
+set(provers)
+foreach(tool z3 cvc5)
+    find_program(found_${tool} ${tool})
+    if(found_${tool})
+        list(APPEND provers ${found_${tool}})
+    endif()
+endforeach()
+if(NOT provers)
+    message(FATAL_ERROR "proof: neither z3 nor cvc5; Debian has both")
+endif()
+
+file(GLOB lemmas ${SOURCE_DIR}/tests/proof/smt/*.smt2)
+list(LENGTH lemmas total)
+if(total EQUAL 0)
+    message(FATAL_ERROR "proof: no lemmas in ${SOURCE_DIR}/tests/proof/smt")
+endif()
+foreach(lemma IN LISTS lemmas)
+    get_filename_component(name ${lemma} NAME_WE)
+    foreach(prover IN LISTS provers)
+        execute_process(COMMAND ${prover} ${lemma} TIMEOUT 120
+            RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+        if(result OR NOT output STREQUAL "unsat\n")
+            message(FATAL_ERROR "proof: ${prover} ${lemma}: ${result}\n${output}")
+        endif()
+    endforeach()
+    message("${name}: unsat")
+endforeach()
+list(JOIN provers ", " provers)
+message("f32: Proved lemmas: ${total} / ${total} (${provers})")

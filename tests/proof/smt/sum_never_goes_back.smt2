@@ -1,0 +1,10 @@
+; sum_of(): y >= 0 does not lower the first sum, the one that z.low and what was lost only correct.
+(set-logic QF_FP)
+(define-sort F () Float32)
+(define-fun zero () F (_ +zero 8 24))
+(declare-const high F)
+(declare-const y F)
+(assert (not (or (fp.isNaN high) (fp.isInfinite high))))
+(assert (fp.geq y zero))
+(assert (fp.lt (fp.add RNE high y) high))
+(check-sat)

@@ -1,0 +1,11 @@
+; are_usable(): what it accepts is a positive, finite dt and a finite force.
+(set-logic QF_FP)
+(define-sort F () Float32)
+(define-fun zero () F (_ +zero 8 24))
+(define-fun is_finite ((x F)) Bool (not (or (fp.isNaN x) (fp.isInfinite x))))
+(declare-const force F)
+(declare-const dt F)
+(define-fun sum () F (fp.add RNE (fp.abs force) dt))
+(assert (fp.gt dt (fp.sub RNE sum sum)))
+(assert (not (and (is_finite force) (is_finite dt) (fp.gt dt zero))))
+(check-sat)
