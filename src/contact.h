@@ -319,13 +319,10 @@ int32_t EPF(alpha)(const coeffs_t *coeffs, int32_t z, signal_t v)
     if (zeta <= coeffs->z_ba) {
         return 0;
     }
-    const int32_t z_ss = steady_state(coeffs, magnitude(v));
-    if (zeta >= z_ss) {
-        return STATE_LIMIT;
-    }
     point_t point;
-    prepare(coeffs, z_ss, 0, &point);
-    return in_q30((fraction_t)(ONE - half_sine(share_of_span(&point, (uint32_t)(z_ss - zeta)))));
+    prepare(coeffs, steady_state(coeffs, magnitude(v)), 0, &point);
+    const int32_t gap = point.z_ss - zeta;
+    return gap > 0 ? in_q30(ONE - half_sine(share_of_span(&point, (uint32_t)gap))) : STATE_LIMIT;
 }
 
 /* A contact at rest: no displacement is left that a damping or viscous term could belong to */

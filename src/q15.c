@@ -163,16 +163,16 @@ static inline uint16_t gaussian(uint32_t q)
 */
 static inline uint16_t stribeck_weight(const coeffs_t *c, uint32_t speed)
 {
-    const epf_stribeck_t form = form_in_use(c->stribeck);
-    if (form == EPF_STRIBECK_COULOMB) {
-        return 0; /* (6) */
-    }
     const uint32_t limited = speed < c->ratio_limit ? speed : c->ratio_limit;
     /*@ assert limited * c->ratio <= c->ratio_limit * c->ratio; */
     const uint16_t ratio = high(limited * c->ratio + 32768u); /* |v|/v_s in Q10, up to 60 */
     /*@ assert ratio <= 61440; */
     const uint32_t q = wide(ratio, ratio);
     /*@ assert q <= ratio * 61440 <= 61440 * 61440; */
+    const epf_stribeck_t form = form_in_use(c->stribeck);
+    if (form == EPF_STRIBECK_COULOMB) {
+        return 0; /* (6) */
+    }
     return form == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
 }
 

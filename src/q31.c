@@ -190,13 +190,13 @@ static inline uint32_t gaussian(uint64_t q)
 */
 static inline uint32_t stribeck_weight(const coeffs_t *c, uint32_t speed)
 {
+    const uint32_t ratio = gained(speed, c->ratio); /* |v|/v_s in Q20, below 2^31 */
+    const uint64_t q = wide(ratio, ratio);
+    /*@ assert q <= ratio * 2147483647 <= 2147483647 * 2147483647; */
     const epf_stribeck_t form = form_in_use(c->stribeck);
     if (form == EPF_STRIBECK_COULOMB) {
         return 0; /* (6) */
     }
-    const uint32_t ratio = gained(speed, c->ratio); /* |v|/v_s in Q20, below 2^31 */
-    const uint64_t q = wide(ratio, ratio);
-    /*@ assert q <= ratio * 2147483647 <= 2147483647 * 2147483647; */
     return form == EPF_STRIBECK_GAUSSIAN ? gaussian(q) : lorentzian(q); /* (7), (8) */
 }
 
