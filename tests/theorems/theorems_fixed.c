@@ -82,6 +82,21 @@ static void test_oddness_negated_inputs_negate_outputs_exactly(void)
     holds(negated_inputs_negate_outputs);
 }
 
+/* ---- a contact in integers ------------------------------------------------------------------- */
+
+/* A contact in integers: sigma_0 lsb.x = 1 N, z_shift 0, z_ba one count, f_max 10^9 N, and a damping
+   term that saturates */
+static void use_integers(const fixed_variant_t *variant, int32_t z_c, any_coeffs_t *coeffs)
+{
+    const epf_params_t params = {
+        1.0f, 1e6f, 0.0f, (float)z_c, 1e9f, 1.0f, 1.0f, EPF_STRIBECK_COULOMB, EPF_UPDATE_SATURATED};
+    const epf_lsb_t lsb = {1.0f, 1.0f, 1e5f, 1.0f};
+    TEST_ASSERT_EQUAL_INT(EPF_OK, variant->coeffs_init(coeffs, &params, &lsb));
+    const fixed_lengths_t c = variant->lengths(coeffs);
+    TEST_ASSERT_EQUAL_INT(0, c.z_shift);
+    TEST_ASSERT_EQUAL_INT32(z_c, c.z_c);
+}
+
 /* ---- Theorem 2 ------------------------------------------------------------------------------ */
 
 /* Exactly z_ss, for every step of at least one count; the bound on the steps is that of theorem2_f32,
@@ -132,20 +147,56 @@ static void test_theorem2_every_count_leads_exactly_to_steady_state(void)
     }
 }
 
-/* ---- Theorem 3 at the edge of the guard ------------------------------------------------------ */
-
-/* A contact in integers: sigma_0 lsb.x = 1 N, z_shift 0, f_max far above f_c, and a damping term that
-   saturates */
-static void use_integers(const fixed_variant_t *variant, int32_t z_c, any_coeffs_t *coeffs)
+/* Of d = 1 no part can be plastic without standing still */
+static void test_theorem2_every_unit_below_steady_state_makes_progress(void)
 {
-    const epf_params_t params = {
-        1.0f, 1e6f, 0.0f, (float)z_c, 1e9f, 1.0f, 1.0f, EPF_STRIBECK_COULOMB, EPF_UPDATE_SATURATED};
-    const epf_lsb_t lsb = {1.0f, 1.0f, 1e5f, 1.0f};
-    TEST_ASSERT_EQUAL_INT(EPF_OK, variant->coeffs_init(coeffs, &params, &lsb));
-    const fixed_lengths_t c = variant->lengths(coeffs);
-    TEST_ASSERT_EQUAL_INT(0, c.z_shift);
-    TEST_ASSERT_EQUAL_INT32(z_c, c.z_c);
+    for (int i = 0; i < FIXED_VARIANTS; i++) {
+        const fixed_variant_t *variant = fixed_variants[i];
+        any_coeffs_t coeffs;
+        any_contact_t ep;
+        use_integers(variant, 1 << 20, &coeffs);
+        variant->init(&ep, &coeffs);
+        variant->set_velocity(&ep, 1);
+        for (int32_t z = 1; z < 1 << 20; z += z < 1000 || z > (1 << 20) - 1000 ? 1 : 997) {
+            variant->reset(&ep, z);
+            TEST_ASSERT_EQUAL_INT32(z + 1, variant->advance(&ep, 1));
+            variant->reset(&ep, -z);
+            TEST_ASSERT_EQUAL_INT32(-z - 1, variant->advance(&ep, -1));
+        }
+    }
 }
+
+/* zeta + d is beyond 32 bits here, while the gap and the displacement are not */
+static void test_theorem2_nothing_wraps_where_a_displacement_just_below_a_leap_meets_z_ss(void)
+{
+    for (int i = 0; i < FIXED_VARIANTS; i++) {
+        const fixed_variant_t *variant = fixed_variants[i];
+        const epf_params_t params = {1.0f,
+                                     0.0f,
+                                     0.0f,
+                                     32767.0f,
+                                     32767.0f,
+                                     1.0f,
+                                     16e3f,
+                                     EPF_STRIBECK_COULOMB,
+                                     EPF_UPDATE_SATURATED};
+        const epf_lsb_t lsb = {2.0f, 1.0f, 1.0f, 1.0f}; /* z_max is nearly 2^30 units */
+        any_coeffs_t coeffs;
+        any_contact_t ep;
+        TEST_ASSERT_EQUAL_INT(EPF_OK, variant->coeffs_init(&coeffs, &params, &lsb));
+        const fixed_lengths_t c = variant->lengths(&coeffs);
+        variant->init(&ep, &coeffs);
+        const int32_t dx = (int32_t)c.leap - 1;
+        for (int32_t z = c.z_max - 1; z > (int32_t)c.unit - c.z_max; z -= 999983) {
+            variant->reset(&ep, z);
+            TEST_ASSERT_EQUAL_INT32(c.z_max, variant->advance(&ep, dx));
+            variant->reset(&ep, -z);
+            TEST_ASSERT_EQUAL_INT32(-c.z_max, variant->advance(&ep, -dx));
+        }
+    }
+}
+
+/* ---- Theorem 3 at the edge of the guard ------------------------------------------------------ */
 
 /* What is left of sigma_0 z by the damping term, where there is no viscous term */
 static int64_t left_by_the_guard(const fixed_variant_t *variant, int32_t z_c)
@@ -214,6 +265,8 @@ int main(void)
     RUN_TEST(test_split_calls_and_step_leave_the_same_bits_in_every_field);
     RUN_TEST(test_oddness_negated_inputs_negate_outputs_exactly);
     RUN_TEST(test_theorem2_every_count_leads_exactly_to_steady_state);
+    RUN_TEST(test_theorem2_every_unit_below_steady_state_makes_progress);
+    RUN_TEST(test_theorem2_nothing_wraps_where_a_displacement_just_below_a_leap_meets_z_ss);
     RUN_TEST(test_theorem3_force_is_positive_where_the_damping_term_meets_nothing_but_a_small_z);
     RUN_TEST(test_drift_tremor_returns_exactly);
     return UNITY_END() != 0;

@@ -86,7 +86,7 @@ static void compare_alpha_at_speeds(int i, const epf_params_t *params, const epf
 {
     any_coeffs_t coeffs;
     TEST_ASSERT_EQUAL_INT(EPF_OK, fixed_variants[i]->coeffs_init(&coeffs, params, lsb));
-    for (int32_t v = 1; v * lsb->v < 60.0f * params->v_s; v += 1 + v / 3) {
+    for (int32_t v = 1; v * (double)lsb->v < 60.0 * (double)params->v_s; v += 1 + v / 3) {
         compare_alpha(i, &coeffs, params, lsb, v);
     }
 }

@@ -317,6 +317,32 @@ static void test_init_is_at_rest(void)
     }
 }
 
+/* After reset no motion is left: v' is v, whatever the direction was */
+static void test_reset_forgets_the_direction_of_the_last_motion(void)
+{
+    for (int i = 0; i < FIXED_VARIANTS; i++) {
+        use_table_2(i);
+        params.sigma_2 = 100.0f;
+        prepare(i);
+        (void)variant->step(&ep, 100, -200, 100);
+        variant->reset(&ep, 0);
+        TEST_ASSERT_TRUE(fabs(newtons(variant->force(&ep, 100)) + 0.2) < 2e-4);
+        TEST_ASSERT_TRUE(fabs(newtons(variant->step(&ep, 0, -200, 100)) + 0.2) < 2e-4);
+    }
+}
+
+/* To the unit of z, wherever one unit makes a difference to the rounded force */
+static void test_reset_publishes_the_force_of_its_state_and_no_other(void)
+{
+    for (int i = 0; i < FIXED_VARIANTS; i++) {
+        use_table_2(i);
+        for (int32_t z = -70000; z <= 70000; z += EPF_TEST_ONE_IN) {
+            variant->reset(&ep, z);
+            TEST_ASSERT_EQUAL_INT32(variant->in_lsb(&coeffs, z, 0), variant->output(&ep));
+        }
+    }
+}
+
 /* By hand, Table II, 400 counts of 10 nm in 1 ms at 2 mm/s: 0.4 N + 4 N + 0.0008 N, to 0.1 mN */
 static void test_step_by_hand_in_the_elastic_regime(void)
 {
@@ -404,6 +430,8 @@ int main(void)
     RUN_TEST(test_scaling_12_13_and_14_force_is_rounded_once_saturates_and_keeps_its_sign);
     RUN_TEST(test_scaling_14_theorem_4_holds_for_the_rounded_force_of_a_fine_enough_lsb);
     RUN_TEST(test_init_is_at_rest);
+    RUN_TEST(test_reset_forgets_the_direction_of_the_last_motion);
+    RUN_TEST(test_reset_publishes_the_force_of_its_state_and_no_other);
     RUN_TEST(test_step_by_hand_in_the_elastic_regime);
     RUN_TEST(test_step_by_hand_through_case_1_is_guarded);
     RUN_TEST(test_bad_time_removes_the_damping_term_and_is_counted);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * q15 by exhaustion, where its domains are small enough: every normalised divisor, every alpha, every
- * speed, and every pair of deflection and steady state that the quotient zeta/z_ss can tell apart.
- * Compiled with optimisation and without sanitizers, for it evaluates 10^9 of them. On an emulated
- * core the speeds and pairs are taken in strides, which leave out none of the ends.
+ * speed, and every pair of span and z_ss that an operating point can tell apart. Compiled with
+ * optimisation and without sanitizers, for it evaluates 10^9 of them. On an emulated core the speeds and
+ * pairs are taken in strides, which leave out none of the ends.
  */
 #include "../../src/q15.c" /* NOLINT(bugprone-suspicious-include) */
 
@@ -12,6 +12,7 @@
 #include "unity.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 void setUp(void)
 {
@@ -36,20 +37,6 @@ static void test_reciprocal_is_from_below_and_within_4_for_every_divisor(void)
     }
 }
 
-/* Whichever way it counts: by comparisons, or by an instruction where there is one */
-static void test_normalised_moves_the_highest_bit_up_for_every_length(void)
-{
-    for (int bit = 0; bit < 32; bit++) {
-        const uint32_t highest = (uint32_t)1 << bit;
-        const uint32_t lower[] = {0, 1, highest / 2u, highest - 1u};
-        for (int i = 0; i < 4; i++) {
-            const uint32_t x = highest | lower[i] % highest;
-            TEST_ASSERT_EQUAL_INT(31 - bit, normalised(x).zeros);
-            TEST_ASSERT_EQUAL_UINT32(x << (31 - bit), normalised(x).mantissa);
-        }
-    }
-}
-
 static void test_alpha_never_falls_and_is_within_3e_4_for_every_argument(void)
 {
     uint32_t before = 0;
@@ -64,16 +51,15 @@ static void test_alpha_never_falls_and_is_within_3e_4_for_every_argument(void)
     TEST_ASSERT_EQUAL_UINT32(ONE, half_sine(ONE));
 }
 
-static void check_every_speed(const epf_fixed_coeffs_t *c, const char *contact)
+static void check_every_speed(const coeffs_t *c, const char *contact)
 {
     int32_t before = c->z_max;
     for (int32_t speed = 0; speed <= 32768; speed = onward(speed, EPF_TEST_ONE_IN, 32768)) {
-        epf_fixed_point_t backwards, forwards;
-        prepare_point(c, (int16_t)-speed, &backwards);
+        const point_t backwards = operating_point(c, (int16_t)-speed);
         TEST_ASSERT_TRUE_MESSAGE(backwards.z_ss >= c->z_c && backwards.z_ss <= before, contact);
         if (speed < 32768) {
-            prepare_point(c, (int16_t)speed, &forwards);
-            TEST_ASSERT_EQUAL_INT32_MESSAGE(backwards.z_ss, forwards.z_ss, contact);
+            const int32_t forwards = operating_point(c, (int16_t)speed).z_ss;
+            TEST_ASSERT_EQUAL_INT32_MESSAGE(backwards.z_ss, forwards, contact);
         }
         before = backwards.z_ss;
     }
@@ -87,54 +73,81 @@ static void test_steady_state_is_bounded_and_never_rises_over_every_speed(void)
             const epf_params_t *p = &parameter_sets[set].params;
             const epf_lsb_t lsb = {p->z_ba / 2.0f, p->v_s / speeds_in_v_s[i], p->f_max / 1e4f,
                                    1e-5f};
-            epf_fixed_coeffs_t c;
+            coeffs_t c;
             TEST_ASSERT_EQUAL_INT(EPF_OK, epf_q15_coeffs_init(&c, p, &lsb));
             check_every_speed(&c, parameter_sets[set].name);
         }
     }
 }
 
-/* Every deflection beyond z_ba that differs in the 16 bits of the quotient, for one z_ss of 30 bits */
-static unsigned long failures_of_share(epf_fixed_coeffs_t *c, int32_t z_ss, int32_t z_ba)
+/* ---- the operating point --------------------------------------------------------------------- */
+
+/* From below, so that u and the share stay below 2^16, and not by more than 1e-3 */
+static bool reciprocals_are_from_below(int32_t z_ss, int32_t span)
+{
+    const coeffs_t c = {.z_max = z_ss, .z_ba = z_ss - span};
+    const point_t point = point_of(&c, z_ss, 0);
+    const uint32_t leading = (uint32_t)span << point.span_zeros >> 16;
+    const uint64_t unity = (uint64_t)leading * point.span_inverse;
+    const uint64_t share = (uint64_t)point.span_share * (uint32_t)z_ss;
+    return unity < 2147483648u && unity > 2147483648u - 2147484u &&
+           share <= (uint64_t)span * 65536u &&
+           share + (uint64_t)z_ss * 66u > (uint64_t)span * 65536u;
+}
+
+/* z_ss and the span enter by their 16 leading bits: a span of the same length as z_ss, and half of it */
+static void test_reciprocals_are_from_below_for_every_pair_of_span_and_z_ss(void)
 {
     unsigned long failures = 0;
-    epf_fixed_point_t point;
-    c->z_ba = z_ba;
-    c->z_max = z_ss;
-    prepare_point(c, 0, &point);
-    uint32_t before = 0;
+    for (int32_t z_ss = 32768; z_ss < 65536; z_ss = onward(z_ss, EPF_TEST_ONE_IN, 65535)) {
+        const int32_t stride = EPF_TEST_ONE_IN;
+        for (int32_t span = 32768; span < 65536; span = onward(span, stride, 65535)) {
+            const int32_t length = span < z_ss ? 14 : 13;
+            failures += !reciprocals_are_from_below(z_ss * 16384, span * ((int32_t)1 << length));
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, failures);
+}
+
+/* ---- alpha zeta/z_ss ------------------------------------------------------------------------- */
+
+/* Every deflection beyond z_ba that differs in 16 bits, for one z_ss of 30 bits */
+static unsigned long failures_of_share(int32_t z_ss, int32_t z_ba)
+{
+    const coeffs_t c = {.z_max = z_ss, .z_ba = z_ba};
+    const point_t point = point_of(&c, z_ss, 0);
     const int32_t stride = (int32_t)EPF_TEST_ONE_IN << 14;
+    unsigned long failures = 0;
+    uint32_t before = 0;
     for (int32_t zeta = z_ba + 1; zeta < z_ss; zeta = onward(zeta, stride, z_ss - 1)) {
-        const uint32_t k = plastic_share(c, &point, zeta);
-        failures += k < before; /* below 1 by its type: ONE is 1 - 2^-16 */
-        before = k;
+        const uint32_t share = plastic_share(&point, zeta - z_ba);
+        failures += share < before; /* below 1 by its type: ONE is 1 - 2^-16 */
+        before = share;
     }
     return failures;
 }
 
-static void test_share_is_below_1_and_never_falls_for_every_pair_of_zeta_and_z_ss(void)
+static void test_share_never_falls_for_every_z_ss(void)
 {
     static const int32_t elastic_shares[] = {1, 300, 500, 800, 999}; /* z_ba/z_ss in 1/1000 */
-    epf_fixed_coeffs_t c = {0};
     unsigned long failures = 0;
     for (int32_t mantissa = 32768; mantissa < 65536;
          mantissa = onward(mantissa, EPF_TEST_ONE_IN, 65535)) {
-        const int32_t z_ss = mantissa << 14;
-        const int32_t z_ba = z_ss / 1000 * elastic_shares[mantissa / EPF_TEST_ONE_IN % 5];
-        failures += failures_of_share(&c, z_ss, z_ba);
+        const int32_t z_ss = mantissa * 16384;
+        failures +=
+            failures_of_share(z_ss, z_ss / 1000 * elastic_shares[mantissa / EPF_TEST_ONE_IN % 5]);
     }
     TEST_ASSERT_EQUAL_UINT32(0, failures);
 }
 
 /* The same with every elastic share for some z_ss, so that none depends on the choice above */
-static void test_share_is_below_1_and_never_falls_for_every_elastic_share(void)
+static void test_share_never_falls_for_every_elastic_share(void)
 {
-    epf_fixed_coeffs_t c = {0};
     unsigned long failures = 0;
     for (int32_t z_ss = 20011; z_ss < STATE_LIMIT;
          z_ss = z_ss < STATE_LIMIT / 7 ? z_ss * 7 : STATE_LIMIT) {
         for (int32_t share = 1; share < 1000; share = onward(share, EPF_TEST_ONE_IN, 999)) {
-            failures += failures_of_share(&c, z_ss, z_ss / 1000 * share);
+            failures += failures_of_share(z_ss, z_ss / 1000 * share);
         }
     }
     TEST_ASSERT_EQUAL_UINT32(0, failures);
@@ -143,11 +156,11 @@ static void test_share_is_below_1_and_never_falls_for_every_elastic_share(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(test_normalised_moves_the_highest_bit_up_for_every_length);
     RUN_TEST(test_reciprocal_is_from_below_and_within_4_for_every_divisor);
     RUN_TEST(test_alpha_never_falls_and_is_within_3e_4_for_every_argument);
     RUN_TEST(test_steady_state_is_bounded_and_never_rises_over_every_speed);
-    RUN_TEST(test_share_is_below_1_and_never_falls_for_every_pair_of_zeta_and_z_ss);
-    RUN_TEST(test_share_is_below_1_and_never_falls_for_every_elastic_share);
+    RUN_TEST(test_reciprocals_are_from_below_for_every_pair_of_span_and_z_ss);
+    RUN_TEST(test_share_never_falls_for_every_z_ss);
+    RUN_TEST(test_share_never_falls_for_every_elastic_share);
     return UNITY_END() != 0;
 }
