@@ -61,7 +61,7 @@ typedef struct {
 
     /* what only the theorems and the bounds of accuracy speak of: terms in 2^8 sigma_0 u */
     int64_t (*internal_force)(const any_contact_t *, uint32_t dt); /* sigma_0 u, before rounding */
-    uint32_t (*damping_term)(const any_coeffs_t *, uint32_t dz, uint32_t dt);
+    uint32_t (*damping_term)(const any_coeffs_t *, uint32_t distance, uint32_t dt);
     uint32_t (*viscous_term)(const any_coeffs_t *, uint32_t speed);
     int32_t (*in_lsb)(const any_coeffs_t *, int32_t z, int32_t terms);
 } fixed_variant_t;

@@ -89,13 +89,13 @@ static bool same_point(const any_contact_t *a, const any_contact_t *b, int which
 {
     const point_t *p = &a->MEMBER.points[which], *q = &b->MEMBER.points[which];
     return p->z_ss == q->z_ss && p->viscous == q->viscous && p->span_inverse == q->span_inverse &&
-           p->span_share == q->span_share && p->span_zeros == q->span_zeros;
+           p->span_share == q->span_share && same_span(p, q);
 }
 
 static bool same_contact(const any_contact_t *a, const any_contact_t *b)
 {
     const contact_t *p = &a->MEMBER, *q = &b->MEMBER;
-    return p->coeffs == q->coeffs && p->z == q->z && p->dz == q->dz && p->force == q->force &&
+    return p->coeffs == q->coeffs && p->z == q->z && p->dzeta == q->dzeta && p->force == q->force &&
            p->rejected == q->rejected && p->direction == q->direction &&
            p->published == q->published && same_point(a, b, 0) && same_point(a, b, 1);
 }
@@ -122,9 +122,9 @@ static uint16_t *rejected(any_contact_t *ep)
 
 /* ---- inside --------------------------------------------------------------------------------- */
 
-static uint32_t damping_of(const any_coeffs_t *c, uint32_t dz, uint32_t dt)
+static uint32_t damping_of(const any_coeffs_t *c, uint32_t distance, uint32_t dt)
 {
-    return damping_term(&c->MEMBER, dz, (duration_t)dt);
+    return damping_term(&c->MEMBER, distance, (duration_t)dt);
 }
 
 static uint32_t viscous_of(const any_coeffs_t *c, uint32_t speed)
@@ -140,12 +140,9 @@ static int32_t force_in_lsb(const any_coeffs_t *c, int32_t z, int32_t terms)
 static int64_t internal_force(const any_contact_t *contact, uint32_t dt)
 {
     const contact_t *ep = &contact->MEMBER;
-    const motion_t motion = {ep->z, ep->dz, ep->direction};
     const uint32_t damping =
-        dt != 0 ? damping_term(ep->coeffs, magnitude(ep->dz), (duration_t)dt) : 0;
-    const int32_t terms =
-        dissipative_terms(ep->coeffs, &motion, published_point(ep)->viscous, damping);
-    return ep->z + 256 * (int64_t)terms;
+        dt != 0 ? damping_term(ep->coeffs, magnitude(ep->dzeta), (duration_t)dt) : 0;
+    return ep->z + 256 * (int64_t)dissipative_terms(ep, published_point(ep)->viscous, damping);
 }
 
 /* clang-format off */

@@ -10,6 +10,11 @@ static bool same_gains(const coeffs_t *a, const coeffs_t *b)
            a->viscous_limit == b->viscous_limit && a->viscous_shift == b->viscous_shift;
 }
 
+static bool same_span(const point_t *a, const point_t *b)
+{
+    return a->span_shift == b->span_shift;
+}
+
 #define MEMBER q15
 #include "fixed_variant_functions.h"
 

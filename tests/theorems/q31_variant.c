@@ -14,6 +14,11 @@ static bool same_gains(const coeffs_t *a, const coeffs_t *b)
     return same_gain(a->ratio, b->ratio) && same_gain(a->viscous, b->viscous);
 }
 
+static bool same_span(const point_t *a, const point_t *b)
+{
+    return a->span_zeros == b->span_zeros;
+}
+
 #define MEMBER q31
 #include "fixed_variant_functions.h"
 

@@ -28,11 +28,11 @@ static int32_t onward(int32_t x, int32_t stride, int32_t last)
     return x < last && x > last - stride ? last : x + stride;
 }
 
-static void test_reciprocal_is_from_below_and_within_4_for_every_divisor(void)
+static void test_inverse_is_from_below_and_within_4_for_every_divisor(void)
 {
     for (uint32_t m = 32768; m < 65536; m++) {
         const uint32_t exact = 2147483647u / m;
-        const uint32_t found = reciprocal((uint16_t)m);
+        const uint32_t found = inverse((uint16_t)m);
         TEST_ASSERT_TRUE(found <= exact && exact - found <= 4);
     }
 }
@@ -54,14 +54,11 @@ static void test_alpha_never_falls_and_is_within_3e_4_for_every_argument(void)
 static void check_every_speed(const coeffs_t *c, const char *contact)
 {
     int32_t before = c->z_max;
-    for (int32_t speed = 0; speed <= 32768; speed = onward(speed, EPF_TEST_ONE_IN, 32768)) {
-        const point_t backwards = operating_point(c, (int16_t)-speed);
-        TEST_ASSERT_TRUE_MESSAGE(backwards.z_ss >= c->z_c && backwards.z_ss <= before, contact);
-        if (speed < 32768) {
-            const int32_t forwards = operating_point(c, (int16_t)speed).z_ss;
-            TEST_ASSERT_EQUAL_INT32_MESSAGE(backwards.z_ss, forwards, contact);
-        }
-        before = backwards.z_ss;
+    for (uint32_t speed = 1; speed <= 32768;
+         speed = (uint32_t)onward((int32_t)speed, EPF_TEST_ONE_IN, 32768)) {
+        const int32_t z_ss = steady_state(c, speed);
+        TEST_ASSERT_TRUE_MESSAGE(z_ss >= c->z_c && z_ss <= before, contact);
+        before = z_ss;
     }
 }
 
@@ -82,28 +79,42 @@ static void test_steady_state_is_bounded_and_never_rises_over_every_speed(void)
 
 /* ---- the operating point --------------------------------------------------------------------- */
 
-/* From below, so that u and the share stay below 2^16, and not by more than 1e-3 */
-static bool reciprocals_are_from_below(int32_t z_ss, int32_t span)
+/* The share of a gap, before it is cut to 16 bits, and from there without a wrap */
+static uint32_t share_of_gap(const point_t *point, int32_t gap)
 {
-    const coeffs_t c = {.z_max = z_ss, .z_ba = z_ss - span};
-    const point_t point = point_of(&c, z_ss, 0);
-    const uint32_t leading = (uint32_t)span << point.span_zeros >> 16;
-    const uint64_t unity = (uint64_t)leading * point.span_inverse;
-    const uint64_t share = (uint64_t)point.span_share * (uint32_t)z_ss;
-    return unity < 2147483648u && unity > 2147483648u - 2147484u &&
-           share <= (uint64_t)span * 65536u &&
-           share + (uint64_t)z_ss * 66u > (uint64_t)span * 65536u;
+    return part(point->span_inverse, (uint16_t)((uint32_t)gap >> point->span_shift));
 }
 
-/* z_ss and the span enter by their 16 leading bits: a span of the same length as z_ss, and half of it */
-static void test_reciprocals_are_from_below_for_every_pair_of_span_and_z_ss(void)
+/* A gap, which is less than the span, has a share below 1; and where the span is above z_max/64, the
+   shares are what they stand for within 1e-3 and what the bits of so short a z_ss are worth */
+static bool shares_are_below_1_and_close(int32_t z_ss, int32_t span)
 {
+    const coeffs_t c = {.z_max = z_ss, .z_ba = z_ss - span};
+    point_t point;
+    prepare(&c, z_ss, 0, &point);
+    const uint32_t last = share_of_gap(&point, span - 1);
+    const double share = span * 65536.0 / z_ss;
+    const double tolerance = 66.0 + 65536.0 * 16384.0 / z_ss;
+    const bool is_short = span < 8388608; /* z_max/64 at the least */
+    return last < 65536u && (is_short || last > 65300u) &&
+           (is_short ||
+            (point.span_share < share + tolerance && point.span_share > share - tolerance));
+}
+
+/* z_ss and the span enter by 16 bits, those of the span at one of two places: all spans of each, in a
+   stride over z_ss that has no factor in common with them */
+static void test_shares_of_a_gap_and_of_the_span_are_below_1_for_every_span(void)
+{
+    const int32_t stride = 641 * EPF_TEST_ONE_IN;
     unsigned long failures = 0;
-    for (int32_t z_ss = 32768; z_ss < 65536; z_ss = onward(z_ss, EPF_TEST_ONE_IN, 65535)) {
-        const int32_t stride = EPF_TEST_ONE_IN;
-        for (int32_t span = 32768; span < 65536; span = onward(span, stride, 65535)) {
-            const int32_t length = span < z_ss ? 14 : 13;
-            failures += !reciprocals_are_from_below(z_ss * 16384, span * ((int32_t)1 << length));
+    for (int32_t i = 1; i < 65536; i = onward(i, EPF_TEST_ONE_IN, 65535)) {
+        for (int32_t shift = 10; shift <= 14; shift += 4) {
+            const int32_t span = i * ((int32_t)1 << shift) + ((int32_t)1 << shift) - 1;
+            for (int32_t whole = span / 16384 + 1 + i % 641; whole < 65536; whole += stride) {
+                failures += !shares_are_below_1_and_close(whole * 16384 + 16383, span);
+                failures += !shares_are_below_1_and_close(whole * 16384, span - 1);
+            }
+            failures += span < STATE_LIMIT - 1 && !shares_are_below_1_and_close(span + 1, span);
         }
     }
     TEST_ASSERT_EQUAL_UINT32(0, failures);
@@ -111,43 +122,44 @@ static void test_reciprocals_are_from_below_for_every_pair_of_span_and_z_ss(void
 
 /* ---- alpha zeta/z_ss ------------------------------------------------------------------------- */
 
-/* Every deflection beyond z_ba that differs in 16 bits, for one z_ss of 30 bits */
-static unsigned long failures_of_share(int32_t z_ss, int32_t z_ba)
+/* Every gap that differs in 16 bits, for one z_ss: what deflects of a displacement never falls with it */
+static unsigned long failures_of_deflecting_part(int32_t z_ss, int32_t z_ba)
 {
     const coeffs_t c = {.z_max = z_ss, .z_ba = z_ba};
-    const point_t point = point_of(&c, z_ss, 0);
     const int32_t stride = (int32_t)EPF_TEST_ONE_IN << 14;
+    point_t point;
+    prepare(&c, z_ss, 0, &point);
     unsigned long failures = 0;
-    uint32_t before = 0;
-    for (int32_t zeta = z_ba + 1; zeta < z_ss; zeta = onward(zeta, stride, z_ss - 1)) {
-        const uint32_t share = plastic_share(&point, zeta - z_ba);
-        failures += share < before; /* below 1 by its type: ONE is 1 - 2^-16 */
-        before = share;
+    int32_t before = 0;
+    for (int32_t gap = 1; gap < z_ss - z_ba; gap = onward(gap, stride, z_ss - z_ba - 1)) {
+        const int32_t y = deflecting_part(&point, gap, 65536);
+        failures += y < before || y < 1 || y > 65536;
+        before = y;
     }
     return failures;
 }
 
-static void test_share_never_falls_for_every_z_ss(void)
+static void test_plastic_share_never_rises_with_the_gap_for_every_z_ss(void)
 {
     static const int32_t elastic_shares[] = {1, 300, 500, 800, 999}; /* z_ba/z_ss in 1/1000 */
     unsigned long failures = 0;
     for (int32_t mantissa = 32768; mantissa < 65536;
          mantissa = onward(mantissa, EPF_TEST_ONE_IN, 65535)) {
         const int32_t z_ss = mantissa * 16384;
-        failures +=
-            failures_of_share(z_ss, z_ss / 1000 * elastic_shares[mantissa / EPF_TEST_ONE_IN % 5]);
+        failures += failures_of_deflecting_part(
+            z_ss, z_ss / 1000 * elastic_shares[mantissa / EPF_TEST_ONE_IN % 5]);
     }
     TEST_ASSERT_EQUAL_UINT32(0, failures);
 }
 
 /* The same with every elastic share for some z_ss, so that none depends on the choice above */
-static void test_share_never_falls_for_every_elastic_share(void)
+static void test_plastic_share_never_rises_with_the_gap_for_every_elastic_share(void)
 {
     unsigned long failures = 0;
     for (int32_t z_ss = 20011; z_ss < STATE_LIMIT;
          z_ss = z_ss < STATE_LIMIT / 7 ? z_ss * 7 : STATE_LIMIT) {
         for (int32_t share = 1; share < 1000; share = onward(share, EPF_TEST_ONE_IN, 999)) {
-            failures += failures_of_share(z_ss, z_ss / 1000 * share);
+            failures += failures_of_deflecting_part(z_ss, z_ss / 1000 * share);
         }
     }
     TEST_ASSERT_EQUAL_UINT32(0, failures);
@@ -156,11 +168,11 @@ static void test_share_never_falls_for_every_elastic_share(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(test_reciprocal_is_from_below_and_within_4_for_every_divisor);
+    RUN_TEST(test_inverse_is_from_below_and_within_4_for_every_divisor);
     RUN_TEST(test_alpha_never_falls_and_is_within_3e_4_for_every_argument);
     RUN_TEST(test_steady_state_is_bounded_and_never_rises_over_every_speed);
-    RUN_TEST(test_reciprocals_are_from_below_for_every_pair_of_span_and_z_ss);
-    RUN_TEST(test_share_never_falls_for_every_z_ss);
-    RUN_TEST(test_share_never_falls_for_every_elastic_share);
+    RUN_TEST(test_shares_of_a_gap_and_of_the_span_are_below_1_for_every_span);
+    RUN_TEST(test_plastic_share_never_rises_with_the_gap_for_every_z_ss);
+    RUN_TEST(test_plastic_share_never_rises_with_the_gap_for_every_elastic_share);
     return UNITY_END() != 0;
 }
