@@ -150,14 +150,15 @@ static void test_theorem2_every_count_leads_exactly_to_steady_state(void)
 /* Of d = 1 no part can be plastic without standing still */
 static void test_theorem2_every_unit_below_steady_state_makes_progress(void)
 {
+    const int32_t end = INT32_C(1048576);
     for (int i = 0; i < FIXED_VARIANTS; i++) {
         const fixed_variant_t *variant = fixed_variants[i];
         any_coeffs_t coeffs;
         any_contact_t ep;
-        use_integers(variant, 1 << 20, &coeffs);
+        use_integers(variant, end, &coeffs);
         variant->init(&ep, &coeffs);
         variant->set_velocity(&ep, 1);
-        for (int32_t z = 1; z < 1 << 20; z += z < 1000 || z > (1 << 20) - 1000 ? 1 : 997) {
+        for (int32_t z = 1; z < end; z += z < 1000 || z > end - 1000 ? 1 : 997) {
             variant->reset(&ep, z);
             TEST_ASSERT_EQUAL_INT32(z + 1, variant->advance(&ep, 1));
             variant->reset(&ep, -z);
@@ -220,7 +221,7 @@ static void test_theorem3_force_is_positive_where_the_damping_term_meets_nothing
             TEST_ASSERT_TRUE(left >= z_c / 1024);
             TEST_ASSERT_TRUE(left <= z_c / 1024 + 3 * 256); /* and the guard takes no more */
         }
-        for (int32_t z_c = 256; z_c <= 512 * 1024; z_c *= 2) {
+        for (int32_t z_c = 256; z_c <= INT32_C(524288); z_c *= 2) {
             TEST_ASSERT_TRUE(left_by_the_guard(fixed_variants[i], z_c) > 0);
         }
     }
