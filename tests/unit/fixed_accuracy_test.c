@@ -187,7 +187,7 @@ static void with_every_gain(void (*check)(const gains_t *, double gain), bool is
 {
     static const float mantissas[] = {0.50000006f, 0.6f, 0.75f, 0.99999994f};
     for (int k = 0; k < FIXED_VARIANTS * 2 * 4; k++) {
-        for (int exponent = -80; exponent <= 24; exponent += 1 + EPF_TEST_ONE_IN / 20) {
+        for (int exponent = -80; exponent <= 24; exponent += EPF_TEST_ONE_IN > 1 ? 13 : 1) {
             const float gain = ldexpf(mantissas[k / 4], exponent);
             gains_t gains;
             use_gains(&gains, k % 2, k / 2 % 2 * 29, is_damping ? 0.0f : gain,

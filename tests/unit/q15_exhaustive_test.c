@@ -105,7 +105,7 @@ static bool shares_are_below_1_and_close(int32_t z_ss, int32_t span)
    stride over z_ss that has no factor in common with them */
 static void test_shares_of_a_gap_and_of_the_span_are_below_1_for_every_span(void)
 {
-    const int32_t stride = 641 * EPF_TEST_ONE_IN;
+    const int32_t stride = INT32_C(641) * EPF_TEST_ONE_IN;
     unsigned long failures = 0;
     for (int32_t i = 1; i < 65536; i = onward(i, EPF_TEST_ONE_IN, 65535)) {
         for (int32_t shift = 10; shift <= 14; shift += 4) {

@@ -61,8 +61,8 @@ static void test_shares_of_an_operating_point_are_below_1_and_close(void)
         const int32_t z_ss = (int32_t)(2u + random_below(&random, 1073741822u));
         const int32_t span = (int32_t)(1u + random_below(&random, (uint32_t)z_ss - 1u));
         TEST_ASSERT_TRUE(shares_are_below_1_and_close(z_ss, span));
-        TEST_ASSERT_TRUE(
-            shares_are_below_1_and_close(z_ss, 1 + (span - 1) / (1 << random_below(&random, 30))));
+        TEST_ASSERT_TRUE(shares_are_below_1_and_close(
+            z_ss, 1 + (span - 1) / (int32_t)(UINT32_C(1) << random_below(&random, 30))));
     }
 }
 
