@@ -309,6 +309,11 @@ static void output_is_rounded_over_all_forces(int i, int z_shift, float f_max)
     output_is_rounded(&gains, weight, 0, 0);
     output_is_rounded(&gains, weight, 1, 0);
     output_is_rounded(&gains, weight, 256, -1);
+    /* and where it saturates, to the last unit */
+    const double edge = gains.variant->signal_max / weight / 256.0;
+    for (int32_t z = -600; z <= 600 && edge < 1e9; z++) {
+        output_is_rounded(&gains, weight, z, (int32_t)edge);
+    }
 }
 
 static void test_output_is_rounded_to_the_nearest_within_its_precision(void)
@@ -319,6 +324,7 @@ static void test_output_is_rounded_to_the_nearest_within_its_precision(void)
             output_is_rounded_over_all_forces(i, 0, f_max);
             output_is_rounded_over_all_forces(i, 29, f_max);
         }
+        output_is_rounded_over_all_forces(i, 0, ldexpf(1.75f, i == 0 ? 28 : 14)); /* 2^-1, 2^-15 */
         output_is_rounded_over_all_forces(i, 0, largest[i]);
         output_is_rounded_over_all_forces(i, 29, largest[i]);
     }

@@ -132,6 +132,8 @@ static void test_boundary_z_ba_is_at_least_one_count(void)
 {
     use_powers_of_two();
     accepts_up_to(&lsb.x, 1.0f, INFINITY, EPF_ERR_LSB_X, "z_ba of one count");
+    use_powers_of_two();
+    accepts_up_to(&params.z_ba, 1.0f, 0.0f, EPF_ERR_LSB_X, "z_ba of one count");
 }
 
 static void test_boundary_z_max_is_at_most_2_30_counts(void)

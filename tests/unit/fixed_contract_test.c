@@ -126,7 +126,12 @@ static void test_scaling_4_alpha_is_q30_from_0_to_1(void)
             TEST_ASSERT_EQUAL_INT32(alpha, variant->alpha(&coeffs, -z, -v));
             before = alpha;
         }
+        variant->set_velocity(&ep, v);
+        const int32_t z_ss_of_v = variant->z_ss(&ep);
         TEST_ASSERT_EQUAL_INT32(1L << 30, variant->alpha(&coeffs, INT32_MAX, v));
+        TEST_ASSERT_EQUAL_INT32(1L << 30, variant->alpha(&coeffs, z_ss_of_v, v));
+        TEST_ASSERT_TRUE(variant->alpha(&coeffs, z_ss_of_v - 1, v) < 1L << 30);
+        TEST_ASSERT_EQUAL_INT32(0, variant->alpha(&coeffs, c.z_ba, v));
         TEST_ASSERT_EQUAL_INT32(0, variant->alpha(&coeffs, INT32_MIN, v));
         TEST_ASSERT_EQUAL_INT32(0, variant->alpha(&coeffs, c.z_max, 0));
         TEST_ASSERT_EQUAL_INT32(0, variant->alpha(&coeffs, 0, v));
@@ -375,6 +380,8 @@ static void test_bad_time_removes_the_damping_term_and_is_counted(void)
         variant->set_velocity(&ep, 200);
         (void)variant->advance(&ep, 400);
         TEST_ASSERT_TRUE(fabs(newtons(variant->force(&ep, 0)) - 0.4008) < 2e-4);
+        TEST_ASSERT_EQUAL_INT(1, *variant->rejected(&ep));
+        TEST_ASSERT_TRUE(variant->force(&ep, 1) >= variant->force(&ep, 2)); /* any other is good */
         TEST_ASSERT_EQUAL_INT(1, *variant->rejected(&ep));
         *variant->rejected(&ep) = UINT16_MAX;
         (void)variant->force(&ep, 0);
