@@ -4,7 +4,7 @@
 set(levels "-O0" "-O1" "-O2" "-O3" "-Os" "-O3 -march=native")
 set(tests "${SOURCE_DIR}/tests")
 set(shared "${tests}/bits/checksum.c" "${SOURCE_DIR}/src/params.c" "${UNITY_DIR}/unity.c")
-set(fixed "${tests}/bits/fixed_bits.c" "${SOURCE_DIR}/src/fixed.c")
+set(fixed "${tests}/bits/fixed_bits.c" "${SOURCE_DIR}/src/coeffs.c")
 set(sources_f32 "${SOURCE_DIR}/src/f32.c")
 set(sources_q31 "${tests}/theorems/q31_variant.c" ${fixed})
 set(sources_q15 "${tests}/theorems/q15_variant.c" ${fixed})

@@ -9,7 +9,7 @@
 typedef struct {
     epf_params_t params;
     epf_lsb_t lsb;
-    epf_fixed_coeffs_t coeffs;
+    any_coeffs_t coeffs;
 } fixed_contact_t;
 
 typedef struct {
@@ -19,6 +19,7 @@ typedef struct {
     int count;
     const char *name; /* of the checksum */
     uint32_t checksum;
+    uint32_t (*add_gains)(uint32_t checksum, const any_coeffs_t *); /* what differs by type */
 } fixed_bits_t;
 
 /* What q31_bits.c and q15_bits.c differ in; the test itself is in fixed_bits.c */

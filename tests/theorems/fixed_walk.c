@@ -2,28 +2,21 @@
 #include "fixed_walk.h"
 
 #include "effort.h"
+#include "fixed_corners.h"
 #include "parameter_sets.h"
+#include "sequences.h"
 #include "unity.h"
 
 #include <math.h>
 #include <stdio.h>
 
-const fixed_variant_t *const fixed_variants[FIXED_VARIANTS] = {&q31_variant, &q15_variant};
-
 void fixed_check(const fixed_step_t *step, bool condition, const char *claim)
 {
-    if (condition) {
-        return;
+    if (!condition) {
+        static char message[FIXED_STEP_TEXT];
+        fixed_step_describe(step, claim, message);
+        TEST_FAIL_MESSAGE(message);
     }
-    static char message[360];
-    (void)snprintf(
-        message, sizeof message,
-        "%s: %s, %s, %s, step %u: dx %ld v %ld dt %lu z %ld -> %ld, z_ss %ld, force %ld, "
-        "internal %.0f",
-        claim, step->variant->name, step->contact, sequence_name(step->sequence), step->index,
-        (long)step->dx, (long)step->v, (unsigned long)step->dt, (long)step->z_before, (long)step->z,
-        (long)step->z_ss, (long)step->force, (double)step->internal_force);
-    TEST_FAIL_MESSAGE(message);
 }
 
 /* Nearest integer within the range of the type. Infinite samples reach the most negative number. */
@@ -42,49 +35,48 @@ static int32_t counted(double dx, double largest, double *left_over)
     return counts;
 }
 
-static void take(epf_fixed_t *ep, fixed_step_t *step, sample_t sample, double *left_over)
+static void scale(fixed_step_t *step, sample_t sample, double *left_over)
 {
     const fixed_variant_t *variant = step->variant;
-    const epf_fixed_coeffs_t *c = step->coeffs;
-    const double z_max = (double)c->z_max / (double)(1L << c->z_shift);
+    const double z_max = (double)step->lengths.z_max / (double)step->lengths.unit;
     step->dx = counted(sample.dx * z_max, variant->signal_max, left_over);
     step->v = saturated(sample.v * (double)(step->params->v_s / step->lsb->v), variant->signal_max);
     step->dt = (uint32_t)fmin(variant->time_max, sample.dt / (double)step->lsb->t);
+}
 
-    step->z_before = ep->z;
-    step->force = variant->step(ep, step->dx, step->v, step->dt);
-    step->z = ep->z;
-    step->internal_force = variant->internal_force(ep, step->dt);
+static void walk_sequence(fixed_step_t *step, sequence_kind_t kind, unsigned samples,
+                          fixed_visitor_t visit)
+{
+    any_contact_t ep;
+    step->variant->init(&ep, step->coeffs);
+    sequence_t sequence;
+    sequence_start(&sequence, kind, 1u + (uint32_t)kind);
+    step->sequence = sequence_name(kind);
+    double left_over = 0.0;
+    for (step->index = 0; step->index < samples; step->index++) {
+        scale(step, sequence_next(&sequence), &left_over);
+        fixed_step_take(step, &ep);
+        visit(step);
+    }
+}
 
-    step->s = (step->dx > 0) - (step->dx < 0);
-    step->d = step->s * step->dx * (1LL << c->z_shift);
-    step->zeta_before = step->s * step->z_before;
-    step->zeta = step->s * step->z;
-    step->z_ss = ep->points[ep->published].z_ss;
+static void start(fixed_step_t *step, any_coeffs_t *coeffs)
+{
+    TEST_ASSERT_EQUAL_INT_MESSAGE(
+        EPF_OK, step->variant->coeffs_init(coeffs, step->params, step->lsb), step->contact);
+    step->coeffs = coeffs;
+    step->lengths = step->variant->lengths(coeffs);
 }
 
 void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
                         const epf_params_t *params, const epf_lsb_t *lsb, unsigned samples,
                         fixed_visitor_t visit)
 {
-    epf_fixed_coeffs_t coeffs;
-    TEST_ASSERT_EQUAL_INT_MESSAGE(EPF_OK, variant->coeffs_init(&coeffs, params, lsb), contact);
+    any_coeffs_t coeffs;
+    fixed_step_t step = {.variant = variant, .contact = contact, .params = params, .lsb = lsb};
+    start(&step, &coeffs);
     for (int kind = 0; kind < SEQUENCE_KINDS; kind++) {
-        fixed_step_t step = {.variant = variant,
-                             .contact = contact,
-                             .sequence = (sequence_kind_t)kind,
-                             .params = params,
-                             .lsb = lsb,
-                             .coeffs = &coeffs};
-        sequence_t sequence;
-        sequence_start(&sequence, step.sequence, 1u + (uint32_t)kind);
-        epf_fixed_t ep;
-        variant->init(&ep, &coeffs);
-        double left_over = 0.0;
-        for (step.index = 0; step.index < EFFORT_OF_WALK(samples); step.index++) {
-            take(&ep, &step, sequence_next(&sequence), &left_over);
-            visit(&step);
-        }
+        walk_sequence(&step, (sequence_kind_t)kind, EFFORT_OF_WALK(samples), visit);
     }
 }
 
@@ -114,6 +106,33 @@ void fixed_walk(unsigned samples, fixed_visitor_t visit)
     for (int i = 0; i < FIXED_VARIANTS; i++) {
         for (int j = 0; j < PARAMETER_SETS * CASES; j += EFFORT_CONTACTS_ONE_IN) {
             walk_case(fixed_variants[i], &parameter_sets[j / CASES], j % CASES, samples, visit);
+        }
+    }
+}
+
+/* Each corner takes its turn at the sequences */
+static void walk_corner(const fixed_variant_t *variant, int i, unsigned samples,
+                        fixed_visitor_t visit)
+{
+    fixed_corner_t corner;
+    if (!fixed_corner(i, &corner)) {
+        return;
+    }
+    static char name[24];
+    (void)snprintf(name, sizeof name, "corner %d", i);
+    any_coeffs_t coeffs;
+    fixed_step_t step = {
+        .variant = variant, .contact = name, .params = &corner.params, .lsb = &corner.lsb};
+    start(&step, &coeffs);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(corner.z_shift, step.lengths.z_shift, name);
+    walk_sequence(&step, (sequence_kind_t)(i % SEQUENCE_KINDS), samples, visit);
+}
+
+void fixed_walk_corners(unsigned samples, fixed_visitor_t visit)
+{
+    for (int i = 0; i < FIXED_VARIANTS; i++) {
+        for (int j = 0; j < FIXED_CORNERS; j += EPF_TEST_ONE_IN) {
+            walk_corner(fixed_variants[i], j, samples, visit);
         }
     }
 }

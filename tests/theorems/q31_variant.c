@@ -1,29 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* Includes the source itself: the internal force is nobody's business but the theorems'. */
+/* Includes the source itself: the terms of the force are nobody's business but the theorems'. */
 #include "../../src/q31.c" /* NOLINT(bugprone-suspicious-include) */
 
-#include "fixed_variant.h"
+#include <stdbool.h>
 
-static int64_t internal_force(const epf_fixed_t *ep, uint32_t dt)
+static bool same_gain(epf_q31_gain_t a, epf_q31_gain_t b)
 {
-    const uint32_t damped = dt != 0 ? damping(ep->coeffs, ep->dz, dt) : 0;
-    return ep->z + 256 * (int64_t)rest_of_force(ep, published_point(ep)->viscous, damped);
+    return a.mantissa == b.mantissa && a.limit == b.limit && a.up == b.up;
 }
+
+static bool same_gains(const coeffs_t *a, const coeffs_t *b)
+{
+    return same_gain(a->ratio, b->ratio) && same_gain(a->viscous, b->viscous);
+}
+
+static bool same_span(const point_t *a, const point_t *b)
+{
+    return a->span_zeros == b->span_zeros;
+}
+
+#define MEMBER q31
+#include "fixed_variant_functions.h"
 
 const fixed_variant_t q31_variant = {
     .name = "q31",
     .signal_max = INT32_MAX,
     .time_max = UINT32_MAX,
-    .accuracy = 1e-5,
-    .coeffs_init = epf_q31_coeffs_init,
-    .init = epf_q31_init,
-    .reset = epf_q31_reset,
-    .set_velocity = epf_q31_set_velocity,
-    .advance = epf_q31_advance,
-    .force = epf_q31_force,
-    .step = epf_q31_step,
-    .output = epf_q31_output,
-    .fss = epf_q31_fss,
-    .alpha = epf_q31_alpha,
-    .internal_force = internal_force,
+    .accuracy = 3e-6,
+    VARIANT_FUNCTIONS,
 };

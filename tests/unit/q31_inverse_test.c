@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* quotient() of q31 does without saturation, since the inverse that it takes is never too large. */
+/* The reciprocals of q31 are never so large that what they divide reaches 1, which would wrap to 0. */
 #include "../../src/q31.c" /* NOLINT(bugprone-suspicious-include) */
 
 #include "effort.h"
+#include "integers.h"
 #include "unity.h"
 
+#include <stdbool.h>
+
 #define SMALLEST UINT32_C(2147483648)
+#define ONE_Q62  ((uint64_t)1 << 62)
 
 void setUp(void)
 {
@@ -15,18 +19,17 @@ void tearDown(void)
 {
 }
 
-/* 2^32/m in Q30: below 2, and not more than 6.5 units of 2^-30 below what it stands for */
-static int is_from_below(uint32_t m)
+/* 2^32/m in Q30: below 2, and within 2^-22 of what it stands for */
+static bool is_from_below(uint32_t m)
 {
     const uint32_t found = inverse(m);
-    const uint64_t one = (uint64_t)1 << 62;
     const uint64_t seen = (uint64_t)found * m;
-    return found < SMALLEST && seen <= one && one - seen < (uint64_t)13 * m / 2u;
+    return found < SMALLEST && seen <= ONE_Q62 && ONE_Q62 - seen < ONE_Q62 >> 22;
 }
 
 static void test_inverse_is_from_below_and_close_over_its_whole_range(void)
 {
-    for (uint32_t m = SMALLEST; m >= SMALLEST; m += UINT32_C(4099) * EPF_TEST_ONE_IN) {
+    for (uint32_t m = SMALLEST; m >= SMALLEST; m += UINT32_C(997) * EPF_TEST_ONE_IN) {
         TEST_ASSERT_TRUE(is_from_below(m));
     }
 }
@@ -38,10 +41,47 @@ static void test_inverse_is_from_below_and_close_at_both_ends(void)
     }
 }
 
+/* The largest gap has a share below 1, which would wrap to 0; and the shares are within 2^-22 */
+static bool shares_are_below_1_and_close(int32_t z_ss, int32_t span)
+{
+    const coeffs_t c = {.z_max = z_ss, .z_ba = z_ss - span};
+    point_t point;
+    prepare(&c, z_ss, 0, &point);
+    const uint64_t last = (uint64_t)((uint32_t)(span - 1) << point.span_zeros) * point.span_inverse;
+    const uint64_t whole = (uint64_t)((uint32_t)span << point.span_zeros) * point.span_inverse;
+    const uint64_t share = ((uint64_t)span << 32) / (uint32_t)z_ss;
+    return last < ONE_Q62 && whole > ONE_Q62 - (ONE_Q62 >> 22) && point.span_share <= share + 8u &&
+           share < point.span_share + (uint64_t)1024;
+}
+
+static void test_shares_of_an_operating_point_are_below_1_and_close(void)
+{
+    uint32_t random = 1;
+    for (long i = 0; i < EFFORT(4000000L); i++) {
+        const int32_t z_ss = (int32_t)(2u + random_below(&random, 1073741822u));
+        const int32_t span = (int32_t)(1u + random_below(&random, (uint32_t)z_ss - 1u));
+        TEST_ASSERT_TRUE(shares_are_below_1_and_close(z_ss, span));
+        TEST_ASSERT_TRUE(shares_are_below_1_and_close(
+            z_ss, 1 + (span - 1) / (int32_t)(UINT32_C(1) << random_below(&random, 30))));
+    }
+}
+
+/* Where there is the least room: a span next to z_ss, and both next to 2^30 */
+static void test_shares_of_an_operating_point_do_not_wrap_where_they_are_next_to_1(void)
+{
+    for (int32_t z_ss = 1073741823; z_ss > 1; z_ss -= 1 + z_ss / 1024 * EPF_TEST_ONE_IN) {
+        for (int32_t span = z_ss - 1; span > 0 && span > z_ss - 60; span--) {
+            TEST_ASSERT_TRUE(shares_are_below_1_and_close(z_ss, span));
+        }
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_inverse_is_from_below_and_close_over_its_whole_range);
     RUN_TEST(test_inverse_is_from_below_and_close_at_both_ends);
+    RUN_TEST(test_shares_of_an_operating_point_are_below_1_and_close);
+    RUN_TEST(test_shares_of_an_operating_point_do_not_wrap_where_they_are_next_to_1);
     return UNITY_END() != 0;
 }

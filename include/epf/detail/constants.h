@@ -78,7 +78,7 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
 #elif defined(__GNUC__)
 #define EPF_REQUIRE_(condition, cause) \
     (EPF_CAST_(int,                    \
-               __extension__ sizeof(struct { int cause : (condition) ? 1 : -1; }) - sizeof(int)))
+               0u * __extension__ sizeof(struct { int cause : (condition) ? 1 : -1; })))
 #else /* a division by zero: no initialiser of an object of static storage duration */
 #define EPF_REQUIRE_(condition, cause) (1 / ((condition) ? 1 : 0) - 1)
 #endif
