@@ -31,7 +31,7 @@ static void print_weights(const char *variant, const estimator_fixed_t *fixed)
     (void)printf("lsb_v             %.6g m/s\n", (double)fixed->lsb.v);
     (void)printf("lsb_f             %.6g N\n", (double)fixed->lsb.f);
     (void)printf("lsb_t             %.6g s\n", (double)fixed->lsb.t);
-    (void)printf("z_shift           %d\n", fixed->coeffs.z_shift);
+    (void)printf("z_shift           %d\n", fixed->z_shift);
 }
 
 static void print_force(const char *name, double force, double f_c)

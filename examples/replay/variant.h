@@ -7,7 +7,8 @@
 #define VARIANT_H
 
 #include <epf/f32.h>
-#include <epf/fixed.h>
+#include <epf/q15.h>
+#include <epf/q31.h>
 
 /* What happens from one row of a record to the next, SI units */
 typedef struct {
@@ -28,10 +29,22 @@ typedef struct {
     epf_f32_t contact;
 } estimator_f32_t;
 
+/* What differs between q31 and q15: the types of the library */
+typedef union {
+    struct {
+        epf_q31_coeffs_t coeffs;
+        epf_q31_t contact;
+    } q31;
+    struct {
+        epf_q15_coeffs_t coeffs;
+        epf_q15_t contact;
+    } q15;
+} integers_t;
+
 typedef struct {
     epf_lsb_t lsb;
-    epf_fixed_coeffs_t coeffs;
-    epf_fixed_t contact;
+    integers_t integers;
+    int z_shift;
     int32_t force;         /* the last one, lsb.f */
     double x_counts;       /* position and time of the last row, whole numbers; */
     double t_counts;       /* in double, because no integer holds every one of them */

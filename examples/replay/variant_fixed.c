@@ -6,16 +6,14 @@
 #include "saturate.h"
 #include "variant.h"
 
-#include <epf/q15.h>
-#include <epf/q31.h>
 #include <math.h>
 
 struct fixed_format {
-    epf_status_t (*coeffs_init)(epf_fixed_coeffs_t *coeffs, const epf_params_t *params,
-                                const epf_lsb_t *lsb);
-    void (*init)(epf_fixed_t *contact, const epf_fixed_coeffs_t *coeffs);
-    int32_t (*step)(epf_fixed_t *contact, int32_t dx, int32_t v, uint32_t dt);
-    int32_t (*z)(const epf_fixed_t *contact);
+    epf_status_t (*start)(integers_t *integers, const epf_params_t *params, const epf_lsb_t *lsb);
+    int32_t (*step)(integers_t *integers, int32_t dx, int32_t v, uint32_t dt);
+    int32_t (*z)(const integers_t *integers);
+    int (*z_shift)(const integers_t *integers);
+    unsigned long (*rejected)(const integers_t *integers);
     int32_t signal_max; /* largest dx and v */
     uint32_t dt_max;
     /* The weights by default */
@@ -24,19 +22,45 @@ struct fixed_format {
     float tick;         /* s */
 };
 
-static int32_t q15_step(epf_fixed_t *contact, int32_t dx, int32_t v, uint32_t dt)
-{
-    return epf_q15_step(contact, (int16_t)dx, (int16_t)v, (uint16_t)dt);
-}
+/* The functions of a variant Q of the library, whose signals and times have these types */
+#define FUNCTIONS_OF(Q, signal_t, duration_t)                                                   \
+    static epf_status_t Q##_start(integers_t *integers, const epf_params_t *params,             \
+                                  const epf_lsb_t *lsb)                                         \
+    {                                                                                           \
+        const epf_status_t status = epf_##Q##_coeffs_init(&integers->Q.coeffs, params, lsb);    \
+        if (status == EPF_OK) {                                                                 \
+            epf_##Q##_init(&integers->Q.contact, &integers->Q.coeffs);                          \
+        }                                                                                       \
+        return status;                                                                          \
+    }                                                                                           \
+    static int32_t Q##_step(integers_t *integers, int32_t dx, int32_t v, uint32_t dt)           \
+    {                                                                                           \
+        return epf_##Q##_step(&integers->Q.contact, (signal_t)dx, (signal_t)v, (duration_t)dt); \
+    }                                                                                           \
+    static int32_t Q##_z(const integers_t *integers)                                            \
+    {                                                                                           \
+        return epf_##Q##_z(&integers->Q.contact);                                               \
+    }                                                                                           \
+    static int Q##_z_shift(const integers_t *integers)                                          \
+    {                                                                                           \
+        return integers->Q.coeffs.z_shift;                                                      \
+    }                                                                                           \
+    static unsigned long Q##_rejected(const integers_t *integers)                               \
+    {                                                                                           \
+        return integers->Q.contact.rejected;                                                    \
+    }
+FUNCTIONS_OF(q31, int32_t, uint32_t)
+FUNCTIONS_OF(q15, int16_t, uint16_t)
 
 /* 2 z_max, from which on every dx does the same, just fits the 16 bits, and the force has as much
    headroom. Beyond 300 v_s f_ss(v) is level; only a viscous force would still grow. 65535 ticks of
    10 us are 0.65 s. */
 static const fixed_format_t q15_format = {
-    .coeffs_init = epf_q15_coeffs_init,
-    .init = epf_q15_init,
+    .start = q15_start,
     .step = q15_step,
-    .z = epf_q15_z,
+    .z = q15_z,
+    .z_shift = q15_z_shift,
+    .rejected = q15_rejected,
     .signal_max = INT16_MAX,
     .dt_max = UINT16_MAX,
     .z_max_counts = 16000.0f,
@@ -46,10 +70,11 @@ static const fixed_format_t q15_format = {
 
 /* 32 bits are plenty: resolution and range both go far beyond what a record holds */
 static const fixed_format_t q31_format = {
-    .coeffs_init = epf_q31_coeffs_init,
-    .init = epf_q31_init,
-    .step = epf_q31_step,
-    .z = epf_q31_z,
+    .start = q31_start,
+    .step = q31_step,
+    .z = q31_z,
+    .z_shift = q31_z_shift,
+    .rejected = q31_rejected,
     .signal_max = INT32_MAX,
     .dt_max = UINT32_MAX,
     .z_max_counts = 1e6f,
@@ -71,9 +96,9 @@ static epf_status_t start(estimator_t *estimator, const epf_params_t *params, co
     const fixed_format_t *format = estimator->variant->format;
     estimator_fixed_t *const fixed = &estimator->as.fixed;
     *fixed = (estimator_fixed_t){.lsb = *lsb};
-    const epf_status_t status = format->coeffs_init(&fixed->coeffs, params, lsb);
+    const epf_status_t status = format->start(&fixed->integers, params, lsb);
     if (status == EPF_OK) {
-        format->init(&fixed->contact, &fixed->coeffs);
+        fixed->z_shift = format->z_shift(&fixed->integers);
     }
     return status;
 }
@@ -113,7 +138,7 @@ static void step(estimator_t *estimator, const motion_t *motion)
     const double v = counts(motion->v, fixed->lsb.v);
     const double most = (double)format->signal_max;
 
-    fixed->force = format->step(&fixed->contact, (int32_t)clipped(fixed, dx, -most, most),
+    fixed->force = format->step(&fixed->integers, (int32_t)clipped(fixed, dx, -most, most),
                                 (int32_t)clipped(fixed, v, -most, most),
                                 (uint32_t)clipped(fixed, dt, 0.0, (double)format->dt_max));
 }
@@ -123,9 +148,10 @@ static void step(estimator_t *estimator, const motion_t *motion)
 static estimate_t estimate(const estimator_t *estimator)
 {
     const estimator_fixed_t *fixed = &estimator->as.fixed;
-    const double z = (double)estimator->variant->format->z(&fixed->contact);
-    return (estimate_t){ldexp(z * (double)fixed->lsb.x, -fixed->coeffs.z_shift),
-                        fixed->force * (double)fixed->lsb.f, fixed->contact.rejected};
+    const fixed_format_t *format = estimator->variant->format;
+    const double z = (double)format->z(&fixed->integers);
+    return (estimate_t){ldexp(z * (double)fixed->lsb.x, -fixed->z_shift),
+                        fixed->force * (double)fixed->lsb.f, format->rejected(&fixed->integers)};
 }
 
 const variant_t variant_q31 = {"q31", &q31_format, start, step, estimate};

@@ -23,11 +23,12 @@ void tearDown(void)
 static void test_only_one_form_the_others_are_refused(void)
 {
     epf_f32_coeffs_t f32;
-    epf_fixed_coeffs_t fixed;
+    epf_q31_coeffs_t q31;
+    epf_q15_coeffs_t q15;
     TEST_ASSERT_EQUAL_INT(EPF_ERR_STRIBECK, epf_params_check(&lorentzian));
     TEST_ASSERT_EQUAL_INT(EPF_ERR_STRIBECK, epf_f32_coeffs_init(&f32, &lorentzian));
-    TEST_ASSERT_EQUAL_INT(EPF_ERR_STRIBECK, epf_q31_coeffs_init(&fixed, &lorentzian, &lsb));
-    TEST_ASSERT_EQUAL_INT(EPF_ERR_STRIBECK, epf_q15_coeffs_init(&fixed, &lorentzian, &lsb));
+    TEST_ASSERT_EQUAL_INT(EPF_ERR_STRIBECK, epf_q31_coeffs_init(&q31, &lorentzian, &lsb));
+    TEST_ASSERT_EQUAL_INT(EPF_ERR_STRIBECK, epf_q15_coeffs_init(&q15, &lorentzian, &lsb));
 }
 
 static void test_only_one_form_it_is_the_one(void)
