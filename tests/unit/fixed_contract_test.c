@@ -157,8 +157,9 @@ static void test_scaling_6_speed_saturates_where_the_stribeck_effect_has_vanishe
     static const double most_left[] = {1.0 / (512.0 * 512.0), 1.0 / 900.0};
     for (int i = 0; i < FIXED_VARIANTS; i++) {
         use_table_2(i);
-        lsb.v = saturation[i] * params.v_s / (float)largest();
-        for (; lsb.v < 2.0f * params.v_s; lsb.v *= 1.37f) {
+        const float finest = saturation[i] * params.v_s / (float)largest();
+        for (int k = 0; finest * powf(1.37f, (float)k) < 2.0f * params.v_s; k++) {
+            lsb.v = finest * powf(1.37f, (float)k);
             prepare(i);
             variant->set_velocity(&ep, largest());
             const double left = (variant->z_ss(&ep) - c.z_c) / (double)(c.z_max - c.z_c);
