@@ -126,7 +126,7 @@ static inline uint32_t viscous_term(const coeffs_t *c, uint32_t speed)
 {
     const uint32_t limited = speed < c->viscous_limit ? speed : c->viscous_limit;
     const uint32_t term = shifted_down(limited * c->viscous, c->viscous_shift);
-    return term < TERM_MAX ? term : TERM_MAX;
+    return term < TERM_MAX ? term : TERM_MAX; /* by its limit it is; this tells the provers */
 }
 
 /* ---- steady state: eqs. (6) to (8) ---------------------------------------------------------- */
@@ -190,8 +190,8 @@ static inline uint16_t stribeck_weight(const coeffs_t *c, uint32_t speed)
 static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point_t *point)
 {
     const uint32_t exact_span = (uint32_t)(z_ss - c->z_ba);
-    const int span_shift = exact_span < 67108864u ? 10 : 14;
-    volatile point_t *target = point; /* written before it is published */
+    const int span_shift = exact_span < 67108864u ? 10 : 14; /* 2^26 */
+    volatile point_t *target = point;                        /* written before it is published */
     target->z_ss = z_ss;
     target->viscous = viscous;
     target->span_shift = (uint8_t)span_shift;
@@ -204,8 +204,9 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
     /* 2^(47 - zeros)/both; 2 less, because it is made of 16 bits of it, and must not be too large */
     const uint16_t inverse_of_both = (uint16_t)(inverse(high(both << zeros)) - 2u);
     target->span_inverse = shifted_down(wide(whole, inverse_of_both), 15 - zeros);
-    target->span_share =
-        (uint16_t)shifted_down(part(wide(span, span), inverse_of_both), 29 - span_shift - zeros);
+    const uint32_t share =
+        shifted_down(part(wide(span, span), inverse_of_both), 29 - span_shift - zeros);
+    target->span_share = (uint16_t)(share < ONE ? share : ONE); /* where z_ss lost too many bits */
 }
 
 /* ---- plasticity: eq. (10) ------------------------------------------------------------------- */

@@ -96,7 +96,8 @@ static inline uint64_t wide(uint32_t a, uint32_t b)
 {
     /*@ assert 0 <= (integer)a * b <= a * 4294967295; */
 #ifdef HAS_NO_LONG_PRODUCT
-    return (uint64_t)product(a, b) * 4294967296u + a * b;
+    const uint32_t high = product(a, b), low = a * b;
+    return (uint64_t)high * 4294967296u + low;
 #else
     return (uint64_t)a * b;
 #endif
@@ -105,7 +106,7 @@ static inline uint64_t wide(uint32_t a, uint32_t b)
 /* ---- reciprocals ---------------------------------------------------------------------------- */
 
 /*
- * 2^32/m in Q30, from below and so less than 2, for 2^31 <= m < 2^32. From a straight line within
+ * 2^32/m in Q29, from below and so less than 2, for 2^31 <= m < 2^32. From a straight line within
  * 1/16 one step of third order, x (3 - t (3 - t)) with t = m x, and one of Newton's, x (2 - t).
  */
 /*@ assigns \nothing; */
@@ -114,10 +115,10 @@ static INVERSE_INLINE uint32_t inverse(uint32_t m)
     uint32_t x = 3019898880u + m / 32u - m / 2u;
     const uint32_t t = product(m, x);
     x = 16u * product(x, 805306368u - product(t, 3221225472u - t));
-    return 2u * product(x, ~(2u * product(m, x)));
+    return product(x, 2u * ~product(m, x)); /* 2 - t in Q31, at least 2^-31 less */
 }
 
-/* How far a time can be moved up, and 2^62 over what comes out */
+/* How far a time can be moved up, and 2^61 over what comes out */
 /*@ requires 0 < dt;
     assigns \nothing;
     ensures 0 <= \result <= 31;
@@ -166,7 +167,7 @@ static inline uint32_t lorentzian(uint64_t q)
     const int zeros = leading_zeros(x);
     const uint32_t mantissa =
         x << zeros | (uint32_t)q >> (32 - zeros); /* ... and what that cut off */
-    return 4u * (inverse(mantissa) >> (24 - zeros));
+    return 8u * (inverse(mantissa) >> (24 - zeros));
 }
 
 /* exp(-q), q in Q40: 2^-n times 2^-r, 0 <= r < 1, by a polynomial that is exact at both ends */
@@ -224,7 +225,7 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
     const uint32_t whole = (uint32_t)z_ss << whole_zeros;
     const uint32_t both = product(span, whole);
     const int up = both < 2147483648u; /* it has 31 or 32 bits */
-    const uint32_t inverse_of_both = inverse(both << up);
+    const uint32_t inverse_of_both = 2u * inverse(both << up);
     const uint32_t inverse_of_whole = product(span, inverse_of_both) << up;
     const uint32_t share = product(span, inverse_of_whole); /* in Q30, but for the zeros */
     target->span_inverse = product(whole, inverse_of_both) << up;

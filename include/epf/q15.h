@@ -19,12 +19,13 @@ extern "C" {
  * and be shared by any number of estimators. Public: z_max, z_ba, z_shift.
  */
 typedef struct {
-    int32_t z_max;          /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 */
-    int32_t z_c;            /**< f_c/sigma_0, u */
-    int32_t z_ba;           /**< break-away deflection, u; at least one count of displacement */
-    uint32_t unit;          /**< one count of displacement, u: 2^z_shift */
-    uint32_t ratio;         /**< |v| to |v|/v_s in Q10: 2^-16 min(|v|, ratio_limit) ratio */
-    uint16_t ratio_limit;   /**< 60 v_s, or as much as a velocity can be */
+    epf_stribeck_t stribeck; /**< form of f_ss(v) */
+    int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 */
+    int32_t z_c;             /**< f_c/sigma_0, u */
+    int32_t z_ba;            /**< break-away deflection, u; at least one count of displacement */
+    uint32_t unit;           /**< one count of displacement, u: 2^z_shift */
+    uint32_t ratio;          /**< |v| to |v|/v_s in Q10: 2^-16 min(|v|, ratio_limit) ratio */
+    uint16_t ratio_limit;    /**< 60 v_s, or as much as a velocity can be */
     uint16_t leap;          /**< the smallest displacement of 2 z_max or more, counts, if it fits */
     uint32_t viscous;       /**< |v| to sigma_2 |v| in 2^8 sigma_0 u, likewise */
     uint16_t viscous_limit; /**< where the viscous term saturates */
@@ -34,7 +35,6 @@ typedef struct {
     uint16_t output;      /**< leading bits of 2^8 sigma_0 u in lsb.f */
     uint8_t output_shift; /**< 2^8 sigma_0 u is output 2^-(17 + output_shift) */
     uint8_t z_shift;      /**< 0 to 29 */
-    epf_stribeck_t stribeck; /**< form of f_ss(v) */
 } epf_q15_coeffs_t;
 
 /** All that follows from the velocity alone. Private. */

@@ -26,6 +26,7 @@ typedef struct {
  * and be shared by any number of estimators. Public: z_max, z_ba, z_shift.
  */
 typedef struct {
+    epf_stribeck_t stribeck; /**< form of f_ss(v) */
     int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 */
     int32_t z_c;             /**< f_c/sigma_0, u */
     int32_t z_ba;            /**< break-away deflection, u; at least one count of displacement */
@@ -38,7 +39,6 @@ typedef struct {
     uint32_t output;         /**< leading bits of sigma_0 u in lsb.f */
     uint8_t output_shift;    /**< sigma_0 u is output 2^-output_shift */
     uint8_t z_shift;         /**< 0 to 29 */
-    epf_stribeck_t stribeck; /**< form of f_ss(v) */
 } epf_q31_coeffs_t;
 
 /** All that follows from the velocity alone. Private. */

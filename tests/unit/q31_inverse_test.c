@@ -19,12 +19,12 @@ void tearDown(void)
 {
 }
 
-/* 2^32/m in Q30: below 2, and within 2^-22 of what it stands for */
+/* 2^32/m in Q29: below 2, and within 2^-22 of what it stands for */
 static bool is_from_below(uint32_t m)
 {
     const uint32_t found = inverse(m);
-    const uint64_t seen = (uint64_t)found * m;
-    return found < SMALLEST && seen <= ONE_Q62 && ONE_Q62 - seen < ONE_Q62 >> 22;
+    const uint64_t seen = (uint64_t)found * m * 2u;
+    return found < SMALLEST / 2u && seen <= ONE_Q62 && ONE_Q62 - seen < ONE_Q62 >> 22;
 }
 
 static void test_inverse_is_from_below_and_close_over_its_whole_range(void)

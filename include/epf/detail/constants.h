@@ -77,8 +77,7 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
 #define EPF_REQUIRE_(condition, cause) static_cast<int>(sizeof(epf_##cause<(condition)>) - 1u)
 #elif defined(__GNUC__)
 #define EPF_REQUIRE_(condition, cause) \
-    (EPF_CAST_(int,                    \
-               0u * __extension__ sizeof(struct { int cause : (condition) ? 1 : -1; })))
+    (EPF_CAST_(int, 0u * __extension__ sizeof(struct { int cause : (condition) ? 1 : -1; })))
 #else /* a division by zero: no initialiser of an object of static storage duration */
 #define EPF_REQUIRE_(condition, cause) (1 / ((condition) ? 1 : 0) - 1)
 #endif
@@ -254,30 +253,31 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
 
 /*
  * The members of the coefficients, in their order: from z_max, z_c, z_ba in counts; lsb.v/v_s; the viscous
- * force of one lsb.v in sigma_0 lsb.x; sigma_1/sigma_0 in lsb.t; f_max in lsb.f.
+ * force of one lsb.v in sigma_0 lsb.x; sigma_1/sigma_0 in lsb.t; f_max in lsb.f. The form comes first,
+ * with the conditions: the first error is then the cause, whatever else a bad parameter does.
  */
 #define EPF_Q31_DERIVE_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, f_max, stribeck, z_shift) \
     {                                                                                              \
-        EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift),                                             \
+        (stribeck), EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift),                                 \
             EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift), EPF_Q31_GAIN_(v_s_inverse, 20, 30),    \
             EPF_Q31_GAIN_(viscous, (z_shift)-8, 28),                                               \
-            EPF_DAMPING_LEADING_(uint32_t, damping, 31, 6),                                        \
-            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), 6) - 37),                      \
+            EPF_DAMPING_LEADING_(uint32_t, damping, 31, 5),                                        \
+            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), 5) - 36),                      \
             EPF_LEADING_(uint32_t, (f_max) / (z_max), 24),                                         \
             EPF_CAST_(uint8_t, 23 + (z_shift)-EPF_EXPONENT_((f_max) / (z_max))),                   \
-            EPF_CAST_(uint8_t, z_shift), (stribeck)                                                \
+            EPF_CAST_(uint8_t, z_shift)                                                            \
     }
 
 #define EPF_Q15_DERIVE_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, f_max, stribeck, z_shift) \
     {                                                                                              \
-        EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift), EPF_Q15_RATIO_(v_s_inverse),                \
+        (stribeck), EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift), EPF_Q15_RATIO_(v_s_inverse),    \
             EPF_Q15_LEAP_(EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift)),                         \
             EPF_Q15_GAIN_(viscous, (z_shift)-8),                                                   \
             EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), -9) - 22),                     \
             EPF_DAMPING_LEADING_(uint16_t, damping, 15, -9),                                       \
             EPF_LEADING_(uint16_t, (f_max) / (z_max), 16),                                         \
             EPF_CAST_(uint8_t, (z_shift)-10 - EPF_EXPONENT_((f_max) / (z_max))),                   \
-            EPF_CAST_(uint8_t, z_shift), (stribeck)                                                \
+            EPF_CAST_(uint8_t, z_shift)                                                            \
     }
 
 /* The leading bits of the damping; so small a one that it would need too long a shift has fewer */
