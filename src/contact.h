@@ -145,7 +145,7 @@ static LEAF uint32_t damping_term(const coeffs_t *c, uint32_t distance, duration
     const int shift = c->damping_shift + zeros;
     if (shift > 0) {
         if (distance >> (32 - shift) != 0) {
-            return TERM_MAX; /* 2^29 at the least: the factors below are 1/2 and 1/4 or more */
+            return TERM_MAX; /* 2^29 at the least: of the factors below one is 1/2, one 1/4 or more */
         }
         distance <<= shift;
     }

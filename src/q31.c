@@ -118,7 +118,7 @@ static INVERSE_INLINE uint32_t inverse(uint32_t m)
     return product(x, 2u * ~product(m, x)); /* 2 - t in Q31, at least 2^-31 less */
 }
 
-/* How far a time can be moved up, and 2^61 over what comes out */
+/* How far a time can be moved up, and 2^62 over what comes out */
 /*@ requires 0 < dt;
     assigns \nothing;
     ensures 0 <= \result <= 31;
@@ -133,7 +133,7 @@ static inline int zeros_of_time(uint32_t dt)
 */
 static inline uint32_t inverse_of_time(uint32_t dt, int zeros)
 {
-    return inverse(dt << zeros);
+    return 2u * inverse(dt << zeros);
 }
 
 /* x g, for a gain that has a limit */

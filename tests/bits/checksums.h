@@ -7,7 +7,7 @@
 #define EPF_TESTS_CHECKSUMS_H
 
 #define CHECKSUM_F32 0x559600c0u
-#define CHECKSUM_Q31 0xbc28ac99u
-#define CHECKSUM_Q15 0xeb68bde8u
+#define CHECKSUM_Q31 0xc01dfefdu
+#define CHECKSUM_Q15 0xea9ad924u
 
 #endif

@@ -261,8 +261,8 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
         (stribeck), EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift),                                 \
             EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift), EPF_Q31_GAIN_(v_s_inverse, 20, 30),    \
             EPF_Q31_GAIN_(viscous, (z_shift)-8, 28),                                               \
-            EPF_DAMPING_LEADING_(uint32_t, damping, 31, 5),                                        \
-            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), 5) - 36),                      \
+            EPF_DAMPING_LEADING_(uint32_t, damping, 31, 6),                                        \
+            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), 6) - 37),                      \
             EPF_LEADING_(uint32_t, (f_max) / (z_max), 24),                                         \
             EPF_CAST_(uint8_t, 23 + (z_shift)-EPF_EXPONENT_((f_max) / (z_max))),                   \
             EPF_CAST_(uint8_t, z_shift)                                                            \
