@@ -44,9 +44,8 @@
  *    half of it. It may interrupt one advance or force at most once: there are two operating points;
  *  - any number of *readers* call output and z, each of which loads one aligned word.
  * A function that belongs to two contexts (update, step) puts both at the same priority. On a core
- * that loads a word in pieces (8 and 16 bits), readers disable the interrupt around the call, and a
- * velocity context that does not preempt disables it around force, which reads one word of the
- * operating point. All contexts run on one core: nothing here orders the memory of a second one.
+ * that loads a word in pieces (8 and 16 bits), readers disable the interrupt around the call; the other
+ * functions need no guard. All contexts run on one core: nothing here orders the memory of a second one.
  *
  * Cost. No division, no floating point but in coeffs_init, no heap, no static data, no loop but in
  * coeffs_init. Cycles per core: README.md and tests/bench.
