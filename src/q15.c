@@ -114,7 +114,7 @@ static inline int zeros_of_time(uint16_t dt)
 */
 static inline uint16_t inverse_of_time(uint16_t dt, int zeros)
 {
-    return inverse((uint16_t)((uint32_t)dt << zeros));
+    return inverse((uint16_t)((unsigned)dt << zeros));
 }
 
 /* sigma_2 |v|, by a gain that has a limit */
@@ -196,7 +196,7 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
     target->viscous = viscous;
     target->span_shift = (uint8_t)span_shift;
 
-    const uint16_t span = (uint16_t)(exact_span >> span_shift);
+    const uint16_t span = (uint16_t)shifted_down(exact_span, span_shift);
     const uint16_t whole = (uint16_t)((uint32_t)z_ss >> 14);
     const uint32_t product_of_both = wide(span, whole);
     const uint32_t both = product_of_both > 65536u ? product_of_both : 65536u;
@@ -217,7 +217,7 @@ static LEAF void prepare(const coeffs_t *c, int32_t z_ss, int32_t viscous, point
 */
 static inline uint16_t share_of_span(const point_t *point, uint32_t gap)
 {
-    return (uint16_t)part(point->span_inverse, (uint16_t)(gap >> point->span_shift));
+    return (uint16_t)part(point->span_inverse, (uint16_t)shifted_down(gap, point->span_shift));
 }
 
 /* 1/2 + 1/2 sin(pi (u - 1/2)) for 0 <= u <= 1, within 3e-4, and never falling: as in f32.c with one

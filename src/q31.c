@@ -178,7 +178,7 @@ static inline uint32_t gaussian(uint64_t q)
         return 0;
     }
     const uint32_t t = product((uint32_t)(q >> 13), 3098164009u); /* log2 e in Q31; t in Q26 */
-    const uint32_t n = t >> 26;
+    const uint32_t n = t >> 26 & 31u;
     const uint32_t r = t << 6;
     /* 0.19314418 - r (0.04703982 - r (0.00826757 - r 0.00094842)) */
     const uint32_t bend =
