@@ -88,9 +88,9 @@ int16_t epf_q15_fss(const epf_q15_coeffs_t *coeffs, int16_t v);
 
 /**
  * alpha(z, v), eq. (10), in Q30: 2^30 is 1; z in u, v in lsb.v; any. Any context.
- * Within 2e-3 of eq. (10) for the z_ss(v) in use, where z_ss - z_ba is above z_max/512. Below that it
- * may be anything from eq. (10) to 1: so short a span is crossed in a step or two. Cost: that of
- * epf_q15_set_velocity and epf_q15_advance.
+ * Within 2e-3 of eq. (10) for the z_ss(v) in use, where z_ss - z_ba is above z_max/64. Below that it gets
+ * coarser, and below z_max/512 it may be anything from there up to 1. Cost: that of epf_q15_set_velocity
+ * and epf_q15_advance.
  */
 int32_t epf_q15_alpha(const epf_q15_coeffs_t *coeffs, int32_t z, int16_t v);
 
