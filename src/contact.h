@@ -264,6 +264,7 @@ signal_t EPF(step)(contact_t *ep, signal_t dx, signal_t v, duration_t dt)
 {
     const point_t *point = set_point(ep, v);
     move(ep, point, dx);
+    /*@ assert valid_contact(ep); */
     return make_force(ep, point->viscous, dt);
 }
 

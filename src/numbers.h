@@ -114,6 +114,7 @@ static inline int leading_zeros(uint32_t x)
 /* floor(x 2^-shift) */
 /*@ requires 0 <= shift <= 31;
     assigns \nothing;
+    ensures x == 0 ==> \result == 0;
 */
 static inline uint32_t shifted_down(uint32_t x, int shift)
 {

@@ -255,6 +255,7 @@ static inline int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
 {
     const int32_t elastic = (int32_t)(magnitude(z) / 256u);
     const int32_t force = (z < 0 ? -elastic : elastic) + rest;
+    /*@ assert z + 256 * rest - 255 <= 256 * force <= z + 256 * rest + 255; */
     const uint32_t p = part(magnitude(force), c->output);
     const uint32_t rounded = (shifted_down(p, c->output_shift) + 1u) / 2u;
     const int16_t most = (int16_t)(rounded < INT16_MAX ? rounded : INT16_MAX);
