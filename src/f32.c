@@ -411,11 +411,12 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
     const epf_f32_coeffs_t *c = ep->coeffs;
     const float z_ba = c->z_ba;
     epf_f32_point_t point;
-    if (!LIKELY(make_point(&point, c, v))) {
+    if (LIKELY(make_point(&point, c, v))) {
+        publish_point(ep, point);
+    } else {
         reject(ep);
         point = *published_point(ep);
     }
-    publish_point(ep, point);
     if (!LIKELY(!is_zero(dx))) {
         stand_still(ep);
         return epf_f32_force(ep, dt);

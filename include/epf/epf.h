@@ -31,8 +31,9 @@
  *     epf_q31_...   32-bit integers in units of yours: encoder counts in, actuator units out
  *     epf_q15_...   16-bit integers, no 64-bit arithmetic: for Cortex-M0 and AVR
  *
- * Theorems of the paper, checked by the tests on generated sequences of displacements; in q31 and
- * q15 they hold in exact integer arithmetic and are proven on the source (tests/proof):
+ * Theorems of the paper, checked by the tests on generated sequences of displacements. In q31 and q15
+ * they hold in exact integer arithmetic and are proven on the source (tests/proof); in f32 they hold up
+ * to the rounding of z, and displacements far below it may stop short of z_ss:
  *
  *     Theorem 1  |z_k| <= z_max, for every sequence of inputs
  *     Theorem 2  in steady motion z_k converges to z_ss(v)
@@ -43,7 +44,7 @@
  *     f32.h       the estimator in single precision
  *     q31.h       the estimator on 32-bit integers
  *     q15.h       the estimator on 16-bit integers
- *     fixed.h     the numbers that q31 and q15 share
+ *     fixed.h     the manual of both, and their numbers
  *     version.h   EPF_VERSION_MAJOR, _MINOR, _PATCH
  */
 #ifndef EPF_EPF_H

@@ -20,10 +20,11 @@
  *  - step returns and leaves, bit for bit, what set_velocity, advance and force would.
  *
  * State. z is kept as an unevaluated sum of two floats, so that displacements far below the last
- * digit of z add up instead of vanishing, and what goes in comes out again: there is no drift. The
- * sum of the displacements is exact in the elastic regime as long as each of them is 0 or at least
- * 2^-23 z_max; smaller ones are each rounded by 2^-48 z_max at the most. One step is within 1e-6 z_max
- * of the same step in double precision.
+ * digit of z add up instead of vanishing, and what goes in comes out again. In the elastic regime the
+ * sum of displacements is exact where each of them is 0 or at least 2^-23 z_max and z itself is a multiple
+ * of 2^-46 z_max; else each displacement is rounded by 2^-48 z_max at the most, and these roundings can add
+ * up. A motion that ends within one rounding of z_ss ends in z_ss. One step is within 1e-6 z_max of the
+ * same step in double precision.
  *
  * Contexts. Three may share one estimator without locks, on one core:
  *  - the *displacement* context (an encoder interrupt, or the control loop) calls advance, update,
@@ -42,10 +43,12 @@
  * same; where the count itself must be exact, call set_velocity with the interrupt masked.
  *
  * Arithmetic. IEEE single precision, rounded to nearest. f32.c refuses -ffast-math where the compiler
- * says so, and switches reassociation off where it is silent (clang); the promises then hold, but the
- * bits are not those of other builds. Where subnormal numbers are flushed to zero (some FPUs at
- * start-up, -ffast-math at link time) the promises hold too; signals below FLT_MIN then count as 0 (but
- * dx as a motion of no length), and a dt below it as unusable.
+ * says so, and switches reassociation off where clang is silent; the promises then hold, but the bits are
+ * not those of other builds. Old compilers (avr-gcc 5) are silent about parts of -ffast-math, such as
+ * -fassociative-math: do not use them there. Where subnormal numbers are flushed to zero (some FPUs at
+ * start-up, -ffast-math at link time) the promises hold for z_max above 1e-18 m. There a dx below FLT_MIN
+ * still has a direction, so that it lets go in case 1, but moves z by nothing; v below FLT_MIN counts
+ * as 0, and dt below it is unusable.
  *
  * Cost. No loop, no recursion, no call of memset or libm, no heap, no static data. Divisions are stated
  * per function; the rest is multiplications, additions and comparisons of floats.
@@ -135,8 +138,9 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
  *     static const epf_f32_coeffs_t slide = EPF_F32_COEFFS(SLIDE);
  *     static const epf_params_t slide_params = {SLIDE};
  *
- * The object must have static storage duration, or bad parameters are not refused but divide by
- * zero. In C++ declare it constexpr, for the same reason.
+ * Parameters are literals or macros, not variables. gcc and clang refuse bad ones in every object, and
+ * the first error names the cause; other C compilers refuse them in objects of static storage duration.
+ * In C++ declare the object constexpr, or it may be made at start-up.
  */
 #define EPF_F32_COEFFS(...) EPF_F32_COEFFS_(__VA_ARGS__)
 
@@ -235,21 +239,27 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
  *
  * The passivity guard: where the deflection gives way to the motion (case 1: |z_ss(v)| fell below |z|)
  * the damping term opposes the other two, and is limited to 1 - 2^-10 of them. Theorems 3 and 4 then
- * hold for every sigma_1 and dt, unless sigma_0 z_ba or f_c/1024 is too small for a float. The guard
+ * hold for every sigma_1 and dt, up to the rounding of z: a plastic displacement below 2^-23 z_max may
+ * have either sign, and f dx may fall short of W_k - W_{k-1} where |dx| is below 2^-22 z_max. They need
+ * sigma_0 z_ba and f_c/1024 to be normal numbers. The guard
  * changes nothing while sigma_1 is below 0.998 of bound (22) (epf_sigma_1_limit) and
  * f_max >= 1.001 f_c. For f_max nearer to f_c the roundings of z, 2^-24 z_max each, are no longer small
  * beside z_max - z_c: the guard may then act below the bound.
  *
  * @param ep  estimator.
+ * The velocity is that last set when force is called. Called once more, it gives the force of the last
+ * displacement once more, the damping term included.
+ *
  * @param dt  time over which the last displacement took place, s. Unless it is positive and finite
  *            it is counted, and the damping term is 0.
- * @return force in N, always finite: where a term or the sum is not, the damping and the viscous term
- *         are limited to FLT_MAX/4 each; near overflow the returned force is therefore smaller.
+ * @return force in N, always finite. Where dt is unusable, or a term or |f| + dt leaves the range of float,
+ *         the damping and the viscous term are limited to FLT_MAX/4 each; near overflow the returned
+ *         force is therefore smaller.
  *         sigma_1 dz may overflow as long as sigma_1 dz/dt does not; where it is below FLT_MIN the
  *         damping term loses digits.
  *
  * Publishes the force for epf_f32_output by one store of an aligned word.
- * Context: displacement. Cost: 1 division.
+ * Context: displacement. Cost: 1 division; 2 where sigma_1 dz overflows.
  */
 float epf_f32_force(epf_f32_t *ep, float dt);
 

@@ -73,7 +73,7 @@ typedef struct {
     float sigma_2; /**< viscous friction, N s/m; >= 0 */
     float f_c;     /**< Coulomb friction, N; positive */
     float f_max;   /**< largest static friction (break-away), N; >= f_c */
-    float v_s;     /**< Stribeck velocity, m/s; positive, also where it has no effect */
+    float v_s;     /**< Stribeck velocity, m/s; positive, also where unused; at most 2^126 counts */
     float z_ba;    /**< break-away deflection, m: purely elastic below it; 0 < z_ba < z_c */
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
     epf_update_t update;     /**< update rule */
@@ -110,10 +110,10 @@ epf_status_t epf_params_check(const epf_params_t *params);
  *
  * @param params  valid parameters.
  * @param v       velocity, m/s; only |v| matters, and NaN counts as 0.
- * @param dt      time between updates, s; > 0. On a core that flushes subnormal numbers to 0, such a v
- *                or dt counts as 0.
+ * @param dt      time between updates, s; > 0. On a core that flushes subnormal numbers to 0, such a v,
+ *                dt or sigma_2 counts as 0.
  * @return the bound in N s/m, rounded down: by less than 1e-6 of its exact value, never up. Where
- *         that is above FLT_MAX, INFINITY: every sigma_1 will do, as where f_max = f_c, or where v is
+ *         the rounded value is above FLT_MAX, INFINITY: every sigma_1 will do, as where f_max = f_c, or where v is
  *         infinite and sigma_2 > 0. Where that is below FLT_MIN, 0. Also 0 for invalid parameters, or
  *         a dt that is not positive and finite. Never NaN.
  *

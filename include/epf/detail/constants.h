@@ -119,13 +119,16 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
                                                        z_ba, stribeck, update)))
 
 /* What both ways of making coefficients share. */
-#define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)               \
-    {                                                                                             \
-        (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), 1.0f / (v_s), (z_ba), (f_c) / (sigma_0), \
-            EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),                              \
-            (f_c) / (sigma_0) + EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),          \
-            (stribeck)                                                                            \
+#define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)      \
+    {                                                                                    \
+        (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), EPF_F32_INVERSE_(v_s), (z_ba),  \
+            (f_c) / (sigma_0), EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),  \
+            (f_c) / (sigma_0) + EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)), \
+            (stribeck)                                                                   \
     }
+
+/* 1/v_s, not so small that some cores take it for 0 */
+#define EPF_F32_INVERSE_(v_s) ((v_s) <= 8.50705917e37f ? 1.0f / (v_s) : FLT_MIN)
 
 /* z_max - z_c, rounded so that added to z_c it gives no more than z_max */
 #define EPF_F32_EXCESS_(z_c, z_max) \
