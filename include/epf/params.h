@@ -73,7 +73,7 @@ typedef struct {
     float sigma_2; /**< viscous friction, N s/m; >= 0 */
     float f_c;     /**< Coulomb friction, N; positive */
     float f_max;   /**< largest static friction (break-away), N; >= f_c */
-    float v_s;     /**< Stribeck velocity, m/s; positive, also where unused; at most 2^126 counts */
+    float v_s;     /**< Stribeck velocity, m/s; positive, also where unused; above 2^126 as 2^126 */
     float z_ba;    /**< break-away deflection, m: purely elastic below it; 0 < z_ba < z_c */
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
     epf_update_t update;     /**< update rule */

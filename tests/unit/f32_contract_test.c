@@ -554,6 +554,17 @@ static void test_footprint_is_at_most_64_bytes_per_estimator(void)
     TEST_ASSERT_TRUE(sizeof(epf_f32_t) <= 64);
 }
 
+/* Cores that flush subnormal numbers would take a smaller reciprocal for 0, and infinity times that is NaN */
+static void test_largest_stribeck_velocity_has_a_reciprocal_on_every_core(void)
+{
+    epf_params_t p = parameter_sets[0].params;
+    p.v_s = FLT_MAX;
+    epf_f32_coeffs_t c;
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&c, &p));
+    TEST_ASSERT_TRUE(c.inv_v_s >= FLT_MIN);
+    TEST_ASSERT_FLOAT_WITHIN(1e-6f, p.f_c, epf_f32_fss(&c, INFINITY));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -589,5 +600,6 @@ int main(void)
     RUN_TEST(test_contexts_set_velocity_prepares_aside_and_publishes_last);
     RUN_TEST(test_contexts_estimators_share_constant_coefficients);
     RUN_TEST(test_footprint_is_at_most_64_bytes_per_estimator);
+    RUN_TEST(test_largest_stribeck_velocity_has_a_reciprocal_on_every_core);
     return UNITY_END() != 0;
 }
