@@ -4,6 +4,8 @@
 #include "epf/q15.h"
 #include "epf/q31.h"
 
+#include "ieee.h"
+
 #include <stddef.h>
 
 /*

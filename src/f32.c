@@ -4,27 +4,12 @@
    float, fails one of its comparisons and goes another way. */
 #include "epf/f32.h"
 
+#include "ieee.h" /* before all that computes */
+
+#include "deflection.h"
 #include "stribeck.h"
 
 #include <stddef.h>
-
-#if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
-#error "epf/f32 needs float to be IEEE 754 binary32"
-#endif
-#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 /* 16: only half precision is widened */
-#error "epf/f32 needs float expressions to be evaluated in float (on 32-bit x86: -mfpmath=sse)"
-#endif
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "epf/f32 needs IEEE arithmetic: compile this file without -ffast-math and its parts"
-#endif
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF /* gcc: -ffp-contract=off, or -std=c99 */
-#if __clang_major__ >= 11 /* no macro tells of -fassociative-math, which would undo the two-sum */
-#pragma clang fp reassociate(off)
-#endif
-#endif
-#include "deflection.h" /* under the same rules */
 
 /* Of two ways the usual one should be the straight one, and save no registers for the other */
 #ifdef __GNUC__

@@ -3,6 +3,8 @@
 
 #include "epf/detail/constants.h"
 
+#include "ieee.h"
+
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>

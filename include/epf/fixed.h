@@ -3,7 +3,9 @@
  * @file fixed.h
  * The manual of the two fixed-point variants, epf_q31_... and epf_q15_...: what is the same for both.
  * Include q31.h or q15.h; they have the same functions and say where the variant differs. A contact of
- * one is not a contact of the other: the types are distinct.
+ * one is not a contact of the other: the types are distinct. C++ refuses to mix them; C warns, and with
+ * -Werror=incompatible-pointer-types refuses. The coefficients of one variant made by the macro of the
+ * other are refused by C++ only.
  *
  * Signals. Plain integers in units that the user gives as an epf_lsb_t: encoder counts, counts per
  * second, timer ticks, DAC or PWM or millinewton units. Nothing is scaled by the user.
@@ -11,8 +13,8 @@
  *     signal         unit                            held as
  *     dx, v, f, dt   lsb.x, lsb.v, lsb.f, lsb.t      int32_t or int16_t, dt unsigned
  *     z              u = lsb.x 2^-z_shift            int32_t, |z| <= z_max < 2^30
- *     force inside   sigma_0 u                       z + 2^8 terms: sigma_0 z is exact, the other terms
- *                                                    count 256 sigma_0 u
+ *     force inside   sigma_0 u                       z + 256 (damping + viscous), all integers, so that
+ *                                                    sigma_0 z is exact
  *
  * z_shift is the largest that keeps z_max within 2^30 u. A displacement thus enters the state by a
  * shift, exactly, and in the elastic regime it leaves it exactly: there is no drift, for ever. In SI
@@ -22,8 +24,9 @@
  * that rounds to 0 counts as rest, where z_ss = f_max/sigma_0. For q15, lsb.f of f_max/16000 leaves
  * room for the damping and viscous terms, and lsb.x of z_max/16000 or coarser lets every displacement
  * short of 2 z_max fit 16 bits. Clamp dx, v and dt before the call; never let them wrap. Ratios of
- * parameters and weights are made in single precision: where one is below FLT_MIN, cores differ in what
- * they make of it.
+ * parameters and weights (sigma_1/sigma_0, sigma_2/sigma_0, lsb.v/lsb.x, ...) are made in single precision:
+ * one above FLT_MAX is refused as if the weight were wrong, and below FLT_MIN cores differ in what they
+ * make of it.
  *
  * Words. s = sgn dx, zeta = s z, d = |dx|; dw = dx - dz is the plastic part of a displacement;
  * W = sigma_0 z^2/2; case 1 is zeta > z_ss(v) before a motion.
@@ -32,8 +35,8 @@
  * for every sequence of inputs, the extremes of the types included (tests/theorems, tests/proof):
  *  - |z| <= z_max, and after any motion zeta <= z_ss(v);
  *  - in the elastic regime z moves by exactly dx 2^z_shift;
- *  - below z_ss every count makes progress, so steady motion reaches z_ss exactly, in finitely many
- *    steps, and stays;
+ *  - below z_ss every count makes progress, if only by one u, so steady motion reaches z_ss exactly, in
+ *    finitely many steps, and stays;
  *  - before it is rounded to lsb.f the force obeys f dw > 0 and 2 f dx > 2 (W_k - W_{k-1}).
  *
  * Contexts. Three may share one estimator without locks:
@@ -41,7 +44,8 @@
  *    force, step, reset, and alone changes the state;
  *  - the *velocity* context (the control loop) may call set_velocity at another priority: the
  *    operating point is prepared aside and published by one byte store, so that advance never sees
- *    half of it. It may interrupt one advance or force at most once: there are two operating points;
+ *    half of it. It may interrupt one advance or force at most once: there are two operating points, and
+ *    a second set_velocity would write over the one in use;
  *  - any number of *readers* call output and z, each of which loads one aligned word.
  * A function that belongs to two contexts (update, step) puts both at the same priority. On a core
  * that loads a word in pieces (8 and 16 bits), readers disable the interrupt around the call; the other
@@ -58,16 +62,16 @@
  * epf_params_check says, then
  *  - EPF_ERR_LSB_X: lsb.x is not positive, or so coarse that z_ba is below one count or not to be told
  *    from z_c, or so fine that z_max is beyond 2^30 counts;
- *  - EPF_ERR_LSB_V: lsb.v is not positive, or v_s is not within 2^-24 to 2^33 of it, or the viscous
- *    force of one lsb.v is beyond the elastic force of 2^24 lsb.x;
- *  - EPF_ERR_LSB_F: lsb.f is not positive, or f_max is not within 1 to the largest force of it;
- *  - EPF_ERR_LSB_T: lsb.t is not positive, or sigma_1/sigma_0 is beyond 2^24 of it.
+ *  - EPF_ERR_LSB_V: lsb.v is not positive, or v_s is not above 2^-24 of it and at most 2^33 of it, or the
+ *    viscous force of one lsb.v is not below the elastic force of 2^24 lsb.x;
+ *  - EPF_ERR_LSB_F: lsb.f is not positive, or f_max is not from 1 to the variant's largest force in it;
+ *  - EPF_ERR_LSB_T: lsb.t is not positive, or sigma_1/sigma_0 is not below 2^24 of it.
  * Floating point, some 30 divisions, loops of up to 64 doublings.
  *
  * **EPF_Q31_COEFFS(...), EPF_Q15_COEFFS(...)** make the same coefficients as a constant initialiser:
  * they go to flash, no floating-point routine is linked, and bad parameters do not compile; the first
  * error names the cause. They take the fields of epf_params_t, then those of epf_lsb_t, in their order,
- * and need gcc, clang or a compiler that has their __builtin_clzll.
+ * and need a compiler that defines __GNUC__: gcc, clang and those that are like them.
  *
  * **init(ep, coeffs)** prepares an estimator at rest: z = 0, v = 0, force 0, nothing rejected. The
  * coefficients must outlive it. Start-up, before any other call.
@@ -79,8 +83,8 @@
  *
  * **fss(coeffs, v)** is the steady-state friction f_ss(v) in lsb.f, eqs. (6), (7), (8), without the viscous
  * term, with the sign of v; 0 for v = 0 (sgn 0 = 0). Any context; reentrant.
- * Scaling and overflow: [2] its accuracy stands at the variant. [3] But for the rounding it is from f_c to
- * f_max, so it cannot overflow.
+ * Scaling and overflow: [2] its accuracy stands at the variant. [3] But for that it is from f_c to f_max,
+ * so it cannot overflow.
  *
  * **alpha(coeffs, z, v)** is the share of a displacement that is plastic, alpha(z, v), eq. (10): 0 up to
  * z_ba, 1 from z_ss(v) on, a half period of a sine between; 0 where z and v differ in sign, and where
@@ -95,8 +99,8 @@
  * rounded towards zero to 256 sigma_0 u, and saturates at 32 f_max or more.
  *
  * **advance(ep, dx)** advances the state over one displacement, eqs. (12) and (13), at the velocity last
- * set, and returns z_k in u. The direction is that of dx alone. dx = 0 changes no state: the model knows
- * no time. Displacement context.
+ * set, and returns z_k in u. The direction is that of dx alone. dx = 0 leaves z, for the model knows no
+ * time; the next force then has no damping term, and v' = v. Displacement context.
  * Scaling and overflow: [8] dx enters the state as dx 2^z_shift u, exactly. [9] All of the range of dx is
  * allowed, the most negative number included; from 2 z_max on the state ends in z_ss(v). [10] The result
  * is within [-z_max, z_max], so that nothing wraps.
@@ -113,8 +117,8 @@
  * over which the last displacement took place; 0 counts as rejected, and the damping term is 0.
  * Displacement context; it publishes the force for output by one store of an aligned word.
  * Scaling and overflow: [11] the damping term is rounded towards zero, to 256 sigma_0 u, and saturates at
- * 128 f_max or more; its accuracy stands at the variant. [12] So does that of the result. [13] The result
- * saturates at the largest number and its negative. [14] Rounding never turns its sign.
+ * 128 f_max or more; its accuracy stands at the variant. [12] The accuracy of the result stands there, too.
+ * [13] The result saturates at the largest number and its negative. [14] Rounding never turns its sign.
  *
  * **step(ep, dx, v, dt)** is update, then force, all of Algorithm 1: the same bits, for less.
  *

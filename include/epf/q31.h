@@ -27,7 +27,7 @@ typedef struct {
  */
 typedef struct {
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
-    int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 */
+    int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 - 1 */
     int32_t z_c;             /**< f_c/sigma_0, u */
     int32_t z_ba;            /**< break-away deflection, u; at least one count of displacement */
     uint32_t unit;           /**< one count of displacement, u: 2^z_shift */
@@ -74,7 +74,7 @@ typedef struct {
  */
 #define EPF_Q31_COEFFS(...) EPF_FIXED_COEFFS_(EPF_Q31_DERIVE_, EPF_Q31_LARGEST_, __VA_ARGS__)
 
-/** Makes coefficients at run time; the largest force is 2^31 lsb.f. Start-up. */
+/** Makes coefficients at run time; f_max up to 2,147,483,520 lsb.f. Start-up. */
 epf_status_t epf_q31_coeffs_init(epf_q31_coeffs_t *coeffs, const epf_params_t *params,
                                  const epf_lsb_t *lsb);
 
@@ -105,7 +105,7 @@ void epf_q31_set_velocity(epf_q31_t *ep, int32_t v);
 
 /**
  * Advances the state over a displacement, lsb.x; any. Returns z_k in u. Displacement context.
- * Cost: 1 product in the elastic regime, beyond it 10.
+ * Within 3e-6 z_max of eqs. (12) and (13). Cost: 1 product in the elastic regime, beyond it 10.
  */
 int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx);
 
@@ -116,7 +116,7 @@ int32_t epf_q31_update(epf_q31_t *ep, int32_t dx, int32_t v);
  * Friction force of the present state, eq. (14), in lsb.f; dt in lsb.t, 0 counts as rejected.
  * Displacement context.
  * [11] The damping term is within 4 of its units and 2^-22 of itself. [12] The sum is exact; scaled by
- * 24 bits, the result is within 0.5 lsb.f and 4e-7 of it. [14] Where lsb.f <= sigma_0 lsb.x, Theorem 4
+ * 24 bits, the result is within 0.5 lsb.f and 4e-7 of it. [14] Where lsb.f <= 0.999 sigma_0 lsb.x, Theorem 4
  * holds for the rounded force too, with sigma_0 within 2^-22. Cost: 10 products.
  */
 int32_t epf_q31_force(epf_q31_t *ep, uint32_t dt);
