@@ -3,14 +3,14 @@
  * One contact on integers: eqs. (9) and (12) to (14), and the public functions, for both fixed-point
  * variants. Included by q31.c and by q15.c after the arithmetic of the variant, whose functions it calls:
  *
+ *     product(a, b), part(x, a)            of two fractions; of an integer and a fraction
  *     stribeck_weight(c, speed)            eqs. (6) to (8), without f_c
  *     viscous_term(c, speed)               sigma_2 |v|
- *     prepare(c, z_ss, viscous, point)     and what advance needs so that it need not divide
- *     advance_in_span(point, beyond)       u, how far z_ba + beyond is from z_ba to z_ss
- *     half_sine(u)                         eq. (10)
- *     product(a, b), part(x, a)            of fractions; of an integer and a fraction
- *     inverse_of_time(dt)                  1/dt
- *     in_lsb(c, z, rest)                   the force in lsb.f
+ *     prepare(c, z_ss, viscous, point)     fills in what the update needs so that it need not divide
+ *     share_of_span(point, gap)            (z_ss - zeta)/(z_ss - z_ba)
+ *     half_sine(w)                         eq. (10)
+ *     zeros_of_time, inverse_of_time(dt)   1/dt
+ *     in_lsb(c, z, terms)                  the force in lsb.f
  *
  * With s = sgn dx_k: zeta = s z_{k-1}, zeta' = s z_k, d = |dx| > 0, dzeta = zeta' - zeta, dw = d - dzeta.
  */
@@ -133,7 +133,7 @@ static IN_LINE void move(contact_t *ep, const point_t *point, signal_t dx)
 
 /* ---- the force: eq. (14) -------------------------------------------------------------------- */
 
-/* |sigma_1 dz/dt| in units of 2^8 sigma_0 u, rounded down, at most TERM_MAX */
+/* |sigma_1 dz/dt| in units of 256 sigma_0 u, rounded down, at most TERM_MAX */
 /*@ requires valid_coeffs(c);
     requires 0 < dt;
     assigns \nothing;
@@ -154,7 +154,7 @@ static LEAF uint32_t damping_term(const coeffs_t *c, uint32_t distance, duration
     return term < TERM_MAX ? term : TERM_MAX;
 }
 
-/* The terms of (14) beyond sigma_0 z, signed, in units of 2^8 sigma_0 u */
+/* The terms of (14) beyond sigma_0 z, signed, in units of 256 sigma_0 u */
 /*@ requires valid_body(ep);
     requires -TERM_MAX <= viscous <= TERM_MAX && damping <= TERM_MAX;
     assigns \nothing;
@@ -202,8 +202,8 @@ static IN_LINE signal_t make_force(contact_t *ep, int32_t viscous, duration_t dt
     } else {
         count_rejected(ep);
     }
-    const int32_t rest = dissipative_terms(ep, viscous, damping);
-    const signal_t force = in_lsb(ep->coeffs, ep->z, rest);
+    const int32_t terms = dissipative_terms(ep, viscous, damping);
+    const signal_t force = in_lsb(ep->coeffs, ep->z, terms); /* (14) */
     publish_force(ep, force);
     return force;
 }

@@ -213,9 +213,9 @@ void epf_f32_set_velocity(epf_f32_t *ep, float v)
    [0, 1], nor for a u that rounding has carried beyond 1. */
 static inline float elastic_share(float u)
 {
-    const float rest = 1.0f - u;
-    const float m = u * rest;
-    return u * (1.0f + (u - rest) * rest * (1.0f + m * (0.532088035f + m * 0.136793624f)));
+    const float beyond = 1.0f - u; /* (zeta - z_ba)/(z_ss - z_ba) */
+    const float m = u * beyond;
+    return u * (1.0f + (u - beyond) * beyond * (1.0f + m * (0.532088035f + m * 0.136793624f)));
 }
 
 float epf_f32_alpha(const epf_f32_coeffs_t *coeffs, float z, float v)

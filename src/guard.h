@@ -8,12 +8,12 @@
 /* No state reaches this, in u: the difference of two states fits 32 bits */
 #define STATE_LIMIT 1073741824
 
-/* Neither the damping nor the viscous term is larger, in units of 2^8 sigma_0 u: 128 f_max at the
+/* Neither the damping nor the viscous term is larger, in units of 256 sigma_0 u: 128 f_max at the
    least. The sum of the two fits 32 bits with room. */
 #define TERM_MAX 536870912u
 
 /*
- * The viscous and the damping term along the motion in case 1, in units of 2^8 sigma_0 u. There the
+ * The viscous and the damping term along the motion in case 1, in units of 256 sigma_0 u. There the
  * deflection shrinks, so that the damping term opposes the other terms: it is limited to 1 - 2^-10 of
  * them.
  */

@@ -242,20 +242,20 @@ static inline int32_t in_q30(uint16_t fraction)
 
 /* ---- the force: eq. (14) -------------------------------------------------------------------- */
 
-/* sigma_0 z, cut to 2^8 sigma_0 u, + 2^8 rest in lsb.f, to the nearest, saturating */
+/* sigma_0 z, cut to 256 sigma_0 u, and the other terms in lsb.f, to the nearest, saturating */
 /*@ requires valid_coeffs(c);
-    requires -STATE_LIMIT < z < STATE_LIMIT && -2 * TERM_MAX <= rest <= 2 * TERM_MAX;
+    requires -STATE_LIMIT < z < STATE_LIMIT && -2 * TERM_MAX <= terms <= 2 * TERM_MAX;
     assigns \nothing;
     ensures -32767 <= \result <= 32767;
     // Theorem 3 on the output: it never has the other sign
-    ensures z + 256 * rest > 0 ==> \result >= 0;
-    ensures z + 256 * rest < 0 ==> \result <= 0;
+    ensures z + 256 * terms > 0 ==> \result >= 0;
+    ensures z + 256 * terms < 0 ==> \result <= 0;
 */
-static inline int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
+static inline int16_t in_lsb(const coeffs_t *c, int32_t z, int32_t terms)
 {
     const int32_t elastic = (int32_t)(magnitude(z) / 256u);
-    const int32_t force = (z < 0 ? -elastic : elastic) + rest;
-    /*@ assert z + 256 * rest - 255 <= 256 * force <= z + 256 * rest + 255; */
+    const int32_t force = (z < 0 ? -elastic : elastic) + terms;
+    /*@ assert z + 256 * terms - 255 <= 256 * force <= z + 256 * terms + 255; */
     const uint32_t p = part(magnitude(force), c->output);
     const uint32_t rounded = (shifted_down(p, c->output_shift) + 1u) / 2u;
     const int16_t most = (int16_t)(rounded < INT16_MAX ? rounded : INT16_MAX);

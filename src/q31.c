@@ -278,18 +278,18 @@ static inline uint32_t shifted_down_64(uint32_t high, uint32_t low, int shift)
     return high >> shift == 0 && x != UINT32_MAX ? x : UINT32_MAX - 1u;
 }
 
-/* sigma_0 z + 2^8 rest in lsb.f, to the nearest, saturating */
+/* sigma_0 z + 256 terms, in sigma_0 u, in lsb.f, to the nearest, saturating */
 /*@ requires valid_coeffs(c);
-    requires -STATE_LIMIT < z < STATE_LIMIT && -2 * TERM_MAX <= rest <= 2 * TERM_MAX;
+    requires -STATE_LIMIT < z < STATE_LIMIT && -2 * TERM_MAX <= terms <= 2 * TERM_MAX;
     assigns \nothing;
     ensures -2147483647 <= \result <= 2147483647;
     // Theorem 3 on the output: it never has the other sign
-    ensures z + 256 * rest > 0 ==> \result >= 0;
-    ensures z + 256 * rest < 0 ==> \result <= 0;
+    ensures z + 256 * terms > 0 ==> \result >= 0;
+    ensures z + 256 * terms < 0 ==> \result <= 0;
 */
-static LEAF int32_t in_lsb(const coeffs_t *c, int32_t z, int32_t rest)
+static LEAF int32_t in_lsb(const coeffs_t *c, int32_t z, int32_t terms)
 {
-    const int64_t force = (int64_t)z + 256 * (int64_t)rest;
+    const int64_t force = (int64_t)z + 256 * (int64_t)terms;
     const uint64_t size = (uint64_t)(force < 0 ? -force : force); /* below 2^39 */
     const uint32_t low = (uint32_t)size, high = (uint32_t)(size >> 32);
     const uint32_t twice = shifted_down_64(product(low, c->output) + high * c->output,

@@ -27,20 +27,20 @@ typedef struct {
     uint32_t ratio;          /**< |v| to |v|/v_s in Q10: 2^-16 min(|v|, ratio_limit) ratio */
     uint16_t ratio_limit;    /**< 60 v_s, or as much as a velocity can be */
     uint16_t leap;          /**< the smallest displacement of 2 z_max or more, counts, if it fits */
-    uint32_t viscous;       /**< |v| to sigma_2 |v| in 2^8 sigma_0 u, likewise */
+    uint32_t viscous;       /**< |v| to sigma_2 |v| in 256 sigma_0 u, likewise */
     uint16_t viscous_limit; /**< where the viscous term saturates */
     uint8_t viscous_shift;  /**< 3 to 31 */
     int8_t damping_shift; /**< weight of the leading bits of sigma_1/sigma_0, see damping_term() */
     uint16_t damping;     /**< the leading bits */
-    uint16_t output;      /**< leading bits of 2^8 sigma_0 u in lsb.f */
-    uint8_t output_shift; /**< 2^8 sigma_0 u is output 2^-(17 + output_shift) */
+    uint16_t output;      /**< leading bits of 256 sigma_0 u in lsb.f */
+    uint8_t output_shift; /**< 256 sigma_0 u is output 2^-(17 + output_shift) */
     uint8_t z_shift;      /**< 0 to 29 */
 } epf_q15_coeffs_t;
 
 /** All that follows from the velocity alone. Private. */
 typedef struct {
     int32_t z_ss;          /* |z_ss(v)|, u */
-    int32_t viscous;       /* sigma_2 v, 2^8 sigma_0 u */
+    int32_t viscous;       /* sigma_2 v, 256 sigma_0 u */
     uint32_t span_inverse; /* 2^(32 + span_shift)/span, span = z_ss - z_ba */
     uint16_t span_share;   /* span/z_ss in Q16 */
     uint8_t span_shift;    /* which bits of the span are in its reciprocal */

@@ -33,7 +33,7 @@ typedef struct {
     uint32_t unit;           /**< one count of displacement, u: 2^z_shift */
     uint32_t leap;           /**< the smallest displacement of 2 z_max or more, counts */
     epf_q31_gain_t ratio;    /**< |v| to |v|/v_s in Q20 */
-    epf_q31_gain_t viscous;  /**< |v| to sigma_2 |v| in 2^8 sigma_0 u */
+    epf_q31_gain_t viscous;  /**< |v| to sigma_2 |v| in 256 sigma_0 u */
     uint32_t damping;        /**< leading bits of sigma_1/sigma_0 */
     int8_t damping_shift;    /**< and their weight, see damping_term() */
     uint32_t output;         /**< leading bits of sigma_0 u in lsb.f */
@@ -44,7 +44,7 @@ typedef struct {
 /** All that follows from the velocity alone. Private. */
 typedef struct {
     int32_t z_ss;          /* |z_ss(v)|, u */
-    int32_t viscous;       /* sigma_2 v, 2^8 sigma_0 u */
+    int32_t viscous;       /* sigma_2 v, 256 sigma_0 u */
     uint32_t span_inverse; /* 2^62/(span 2^span_zeros), span = z_ss - z_ba */
     uint32_t span_share;   /* span/z_ss in Q32 */
     uint8_t span_zeros;    /* leading zeros of the span */
