@@ -4,6 +4,7 @@
 #include "unity.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 void setUp(void)
 {
@@ -11,6 +12,12 @@ void setUp(void)
 
 void tearDown(void)
 {
+}
+
+/* Where double is no wider than float (AVR), the energies of the largest contact are beyond it */
+static bool has_energies_in_double(const f32_step_t *step)
+{
+    return isfinite(4.0 * (double)step->params->f_max * (double)step->coeffs->z_max);
 }
 
 static double stored(const f32_step_t *step, float z)
@@ -35,7 +42,7 @@ static double excess_of_work(const f32_step_t *step)
 
 static void no_step_yields_energy(const f32_step_t *step)
 {
-    if (step->s != 0.0f) {
+    if (step->s != 0.0f && has_energies_in_double(step)) {
         f32_check(step, excess_of_work(step) > -rounding(step), "f dx > W_k - W_{k-1}");
     }
 }
@@ -49,6 +56,9 @@ static double work_done, largest_rounding;
 
 static void no_sequence_yields_energy(const f32_step_t *step)
 {
+    if (!has_energies_in_double(step)) {
+        return;
+    }
     if (step->index == 0) {
         work_done = 0.0;
         largest_rounding = 0.0;
