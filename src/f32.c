@@ -6,21 +6,11 @@
 
 #include "ieee.h" /* before all that computes */
 
+#include "compiler.h"
 #include "deflection.h"
 #include "stribeck.h"
 
 #include <stddef.h>
-
-/* Of two ways the usual one should be the straight one, and save no registers for the other */
-#ifdef __GNUC__
-#define LIKELY(x)   __builtin_expect(!!(x), 1)
-#define OUT_OF_LINE __attribute__((noinline))
-#define IN_LINE     inline __attribute__((always_inline))
-#else
-#define LIKELY(x) (x)
-#define OUT_OF_LINE
-#define IN_LINE inline
-#endif
 
 #define TERM_MAX (FLT_MAX / 4.0f) /* three terms of the force cannot overflow */
 
@@ -125,13 +115,10 @@ static IN_LINE float exp_minus(float q)
     }
     const uint32_t n = (uint32_t)t;
     const float r = t - (float)n;
-    const union {
-        uint32_t bits;
-        float value;
-    } power = {(127u - n) << 23};
+    const float power = from_bits((127u - n) << 23);
     const float bend =
         -0.193144184f + r * (0.0470398227f + r * (-0.00826757329f + r * 0.000948424026f));
-    return power.value * (1.0f - r * (0.5f - (1.0f - r) * bend));
+    return power * (1.0f - r * (0.5f - (1.0f - r) * bend));
 }
 
 /* What f_ss(v) or z_ss(v) has beyond f_c or z_c: at rest all of the excess. NaN stays NaN. */

@@ -8,27 +8,9 @@
 #ifndef EPF_NUMBERS_H
 #define EPF_NUMBERS_H
 
+#include "compiler.h"
+
 #include <stdint.h>
-
-/* A function that is called as it stands, so that the short path around it saves fewer registers; one that is
-   a part of each of its callers */
-#if defined(__clang__)
-#define OUT_OF_LINE __attribute__((noinline))
-#define IN_LINE     inline __attribute__((always_inline))
-#elif defined(__GNUC__)
-#define OUT_OF_LINE __attribute__((noinline, noclone))
-#define IN_LINE     inline __attribute__((always_inline))
-#else
-#define OUT_OF_LINE
-#define IN_LINE inline
-#endif
-
-/* With few registers a step is best made of small functions that live in those which a call may use */
-#if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__) || defined(__AVR__)
-#define LEAF OUT_OF_LINE
-#else
-#define LEAF inline
-#endif
 
 /* |x|, also of the most negative number */
 /*@ assigns \nothing;
@@ -51,7 +33,7 @@ static inline int32_t sign(int32_t x)
     return x < 0 ? -1 : x != 0;
 }
 
-/* x as seen in the direction s, 1 or -1 */
+/* x as seen in the direction s, which is 1 or -1; 0 where s is 0 */
 /*@ requires -1 <= s <= 1 && -2147483647 <= x;
     assigns \nothing;
     ensures \result == s * x;
