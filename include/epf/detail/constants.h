@@ -6,9 +6,8 @@
 #ifndef EPF_DETAIL_CONSTANTS_H
 #define EPF_DETAIL_CONSTANTS_H
 
-#ifdef __GNUC__
-#pragma GCC \
-    system_header /* one line of context for a bad parameter, instead of every macro on the way */
+#ifdef __GNUC__ /* a bad parameter is reported once, and not for every macro on the way to it */
+#pragma GCC system_header
 #endif
 
 #include "epf/params.h"
@@ -98,25 +97,17 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
 
 /* ---- coefficients of f32 ------------------------------------------------------------------- */
 
-/* A cast that C++ does not call old-style */
-#ifdef __cplusplus
-#define EPF_F32_CAST_(type, x) type(x)
-#else
-#define EPF_F32_CAST_(type, x) ((type)(x))
-#endif
-
 /* EPF_F32_COEFFS with its arguments named; the check adds 0, or does not compile. */
-#define EPF_F32_COEFFS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update) \
-    EPF_F32_CHECKED_(EPF_F32_CAST_(float, sigma_0), EPF_F32_CAST_(float, sigma_1),          \
-                     EPF_F32_CAST_(float, sigma_2), EPF_F32_CAST_(float, f_c),              \
-                     EPF_F32_CAST_(float, f_max), EPF_F32_CAST_(float, v_s),                \
-                     EPF_F32_CAST_(float, z_ba), stribeck, update)
-#define EPF_F32_CHECKED_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update)       \
-    EPF_F32_DERIVE_(                                                                               \
-        sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba,                                          \
-        EPF_F32_CAST_(epf_stribeck_t,                                                              \
-                      (stribeck) + EPF_REQUIRE_PARAMS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, \
-                                                       z_ba, stribeck, update)))
+#define EPF_F32_COEFFS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update)     \
+    EPF_F32_CHECKED_(EPF_CAST_(float, sigma_0), EPF_CAST_(float, sigma_1),                      \
+                     EPF_CAST_(float, sigma_2), EPF_CAST_(float, f_c), EPF_CAST_(float, f_max), \
+                     EPF_CAST_(float, v_s), EPF_CAST_(float, z_ba), stribeck, update)
+#define EPF_F32_CHECKED_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update)   \
+    EPF_F32_DERIVE_(                                                                           \
+        sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba,                                      \
+        EPF_CAST_(epf_stribeck_t,                                                              \
+                  (stribeck) + EPF_REQUIRE_PARAMS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, \
+                                                   z_ba, stribeck, update)))
 
 /* What both ways of making coefficients share. */
 #define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)      \
