@@ -17,8 +17,6 @@
 #include "guard.h"
 #include "saturated.h"
 
-#include <stddef.h>
-
 /* ---- steady state: eq. (9) ------------------------------------------------------------------ */
 
 /* |z_ss(v)| for |v| > 0 */

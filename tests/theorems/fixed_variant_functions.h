@@ -6,6 +6,8 @@
  */
 #include "fixed_variant.h"
 
+#include <stddef.h>
+
 /* ---- the public functions ------------------------------------------------------------------- */
 
 static epf_status_t coeffs_init(any_coeffs_t *c, const epf_params_t *params, const epf_lsb_t *lsb)
