@@ -58,7 +58,7 @@ typedef enum {
 /** How the state advances over one displacement. */
 typedef enum {
     EPF_UPDATE_SATURATED = 0, /**< Algorithm 1 of the paper, eqs. (12) and (13) */
-    EPF_UPDATE_SECOND_ORDER   /**< reserved: this version refuses it with EPF_ERR_UPDATE */
+    EPF_UPDATE_MEAN_VALUE   /**< reserved: this version refuses it with EPF_ERR_UPDATE */
 } epf_update_t;
 
 /**

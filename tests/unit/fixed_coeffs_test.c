@@ -76,7 +76,7 @@ static void test_coeffs_bad_parameters_are_refused_as_in_f32(void)
     params.f_max = 0.5f;
     refused_as(EPF_ERR_F_MAX, "f_max");
     setUp();
-    params.update = EPF_UPDATE_SECOND_ORDER;
+    params.update = EPF_UPDATE_MEAN_VALUE;
     refused_as(EPF_ERR_UPDATE, "second order");
 }
 

@@ -88,7 +88,7 @@ static void test_params_each_condition_has_its_own_status(void)
 
 static void test_params_second_order_rule_is_refused_by_this_version(void)
 {
-    params.update = EPF_UPDATE_SECOND_ORDER;
+    params.update = EPF_UPDATE_MEAN_VALUE;
     refused_as(EPF_ERR_UPDATE, "second order");
 }
 
