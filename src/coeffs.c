@@ -92,7 +92,7 @@ epf_status_t epf_q31_coeffs_init(epf_q31_coeffs_t *coeffs, const epf_params_t *p
     if (status == EPF_OK) {
         *coeffs =
             (epf_q31_coeffs_t)EPF_Q31_DERIVE_(q.z_max, q.z_c, q.z_ba, q.v_s_inverse, q.viscous,
-                                              q.damping, q.f_max, params->stribeck, q.z_shift);
+                                              q.damping, q.f_max, params->stribeck, params->update, q.z_shift);
     }
     return status;
 }
@@ -105,7 +105,7 @@ epf_status_t epf_q15_coeffs_init(epf_q15_coeffs_t *coeffs, const epf_params_t *p
     if (status == EPF_OK) {
         *coeffs =
             (epf_q15_coeffs_t)EPF_Q15_DERIVE_(q.z_max, q.z_c, q.z_ba, q.v_s_inverse, q.viscous,
-                                              q.damping, q.f_max, params->stribeck, q.z_shift);
+                                              q.damping, q.f_max, params->stribeck, params->update, q.z_shift);
     }
     return status;
 }

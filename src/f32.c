@@ -8,7 +8,7 @@
 
 #include "compiler.h"
 #include "deflection.h"
-#include "stribeck.h"
+#include "only.h"
 
 #include <stddef.h>
 
@@ -436,7 +436,7 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
     }
     const epf_params_t p = *params;
     *coeffs = (epf_f32_coeffs_t)EPF_F32_DERIVE_(p.sigma_0, p.sigma_1, p.sigma_2, p.f_c, p.f_max,
-                                                p.v_s, p.z_ba, p.stribeck);
+                                                p.v_s, p.z_ba, p.stribeck, p.update);
     return EPF_OK;
 }
 
