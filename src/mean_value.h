@@ -7,7 +7,7 @@
  * With the span S = z_ss - z_ba, u = gap/S where the step begins, and r = S/z_ss. Fractions all.
  */
 
-#define EIGHTHS(n)       ((fraction_t)(ONE / 8u * (n)))
+#define EIGHTHS(n)        ((fraction_t)(ONE / 8u * (n)))
 #define THIRTY_SECONDS(n) ((fraction_t)(ONE / 32u * (n)))
 
 /* 1 - v + 5/8 v^2: near the root of (1 - exp(-4 v))/(4 v), the mean of an exponential over a step */
@@ -26,12 +26,18 @@ static inline fraction_t mean_root(fraction_t v)
 static LEAF fraction_t mean_share(const point_t *point, int32_t span, int32_t gap, int32_t d)
 {
     const uint32_t quarter = (uint32_t)d / 4u, most = (uint32_t)span / 8u * 5u;
-    const fraction_t p = share_of_span(point, quarter < most ? quarter : most); /* d/(4 S), at most 5/8 */
-    const fraction_t u = share_of_span(point, (uint32_t)gap - 1u); /* where it is the span, below 1 */
+    const fraction_t p =
+        share_of_span(point, quarter < most ? quarter : most); /* d/(4 S), at most 5/8 */
+    const fraction_t u =
+        share_of_span(point, (uint32_t)gap - 1u); /* where it is the span, below 1 */
     const fraction_t r = point->span_share;
     const fraction_t w = (fraction_t)(u - product(u, (fraction_t)(p + p / 4u)));
-    const fraction_t b = product(w, (fraction_t)(THIRTY_SECONDS(22) - product(w, THIRTY_SECONDS(13)))); /* w (11/4 - 13/8 w), a quarter of it */
-    const fraction_t rate = (fraction_t)(r / 4u + product(b, (fraction_t)(ONE - product(w, r)))); /* (b + r (1 - w b))/4 */
+    const fraction_t b = product(
+        w, (fraction_t)(THIRTY_SECONDS(22) -
+                        product(w, THIRTY_SECONDS(13)))); /* w (11/4 - 13/8 w), a quarter of it */
+    const fraction_t rate =
+        (fraction_t)(r / 4u +
+                     product(b, (fraction_t)(ONE - product(w, r)))); /* (b + r (1 - w b))/4 */
     const fraction_t h = mean_root((fraction_t)(4u * product(p, rate)));
     return product(u, product(h, h));
 }

@@ -14,5 +14,6 @@ static IN_LINE int32_t saturated_rule(const point_t *point, int32_t room, int32_
     if (gap <= 0) {
         return gap; /* case 1 */
     }
-    return saturated(room < 0 ? deflecting_part(point, share_of_span(point, (uint32_t)gap), d) : d, gap);
+    return saturated(room < 0 ? deflecting_part(point, share_of_span(point, (uint32_t)gap), d) : d,
+                     gap);
 }
