@@ -2,6 +2,16 @@
 /* The state: eqs. (12) and (13), by either update rule. Included by contact.h. */
 #include "steps.h"
 
+/*@ // What every update rule must do, see tests/proof/README.md: below z_ss progress, no more than d, and
+    // not beyond z_ss (Lemma 1; Theorems 1 and 2); where part of d is plastic, an end above z_ba
+    // (Lemma 2); above z_ss strictly towards it and not beyond (Theorems 1 and 2)
+    predicate is_step(integer z_ba, integer z_ss, integer zeta, integer d, integer dzeta) =
+      (zeta < z_ss ==> 0 < dzeta <= d && zeta + dzeta <= z_ss) &&
+      (zeta < z_ss && dzeta < d ==> z_ba < zeta + dzeta) &&
+      (zeta > z_ss ==> z_ss <= zeta + dzeta < zeta) &&
+      (zeta == z_ss ==> dzeta == 0);
+*/
+
 /* y, eq. (12): a displacement d less its plastic part alpha zeta/z_ss, at the deflection zeta between z_ba
    and z_ss whose gap z_ss - zeta is a share w of the span z_ss - z_ba. There 1 - alpha is a half period
    of a sine of w, eq. (10), and zeta/z_ss is 1 - w span/z_ss. */
@@ -27,18 +37,11 @@ static IN_LINE int32_t deflecting_part(const point_t *point, fraction_t w, int32
     requires 0 < counts <= SIGNAL_MAX + 1;
     assigns \nothing;
 
+    ensures is_step(c->z_ba, point->z_ss, zeta, counts * c->unit, \result);
     // Theorem 1: the state is bounded
     ensures -c->z_max <= zeta + \result <= c->z_max;
-    ensures zeta <= point->z_ss ==> zeta + \result <= point->z_ss;
-    // Lemma 1: below z_ss the deflection changes by between nothing and the displacement, and
-    // strictly: Theorem 2
-    ensures zeta < point->z_ss ==> 0 < \result <= counts * c->unit;
-    // Case 1: strictly towards z_ss, and not beyond
-    ensures zeta > point->z_ss ==> point->z_ss <= zeta + \result < zeta;
-    ensures zeta == point->z_ss ==> \result == 0;
-    // Lemma 2: plastic displacement has the direction of the motion, and needs more than z_ba
-    ensures counts * c->unit - \result >= 0;
-    ensures counts * c->unit - \result > 0 ==> zeta + \result > c->z_ba;
+    // Lemma 2: no plastic displacement against the motion
+    ensures \result <= counts * c->unit;
     // The elastic identity, to the unit: no drift
     ensures zeta + counts * c->unit <= c->z_ba ==> \result == counts * c->unit;
     // Theorem 2: a displacement of 2 z_max arrives at once
