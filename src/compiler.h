@@ -23,11 +23,14 @@
 #define IN_LINE inline
 #endif
 
-/* With few registers a step is best made of small functions that live in those which a call may use */
+/* What is a function of its own where registers are few, so that each step needs only those which a call
+   may use, and otherwise a part of its callers */
 #if defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__) || defined(__AVR__)
 #define LEAF OUT_OF_LINE
-#else
+#elif defined(__OPTIMIZE_SIZE__)
 #define LEAF inline
+#else
+#define LEAF IN_LINE
 #endif
 
 #endif

@@ -317,7 +317,7 @@ static inline float mean_value(const epf_f32_point_t *point, float z_ba, float r
     const float rest = d - positive_part(room);
     const float elastic = d - rest; /* exactly, so that dzeta is d at the most */
     const float r = (point->z_ss - z_ba) * point->inv_z_ss;
-    const float u = (gap - elastic) * point->inv_span;
+    const float u = at_most(gap * point->inv_span, 1.0f);
     const float x = mean_share(point->inv_span, r, u, rest);
     const float part = (r * x) * rest; /* (1 - zeta/z_ss) dx */
     return elastic + (part + elastic_share(x) * (rest - part));
@@ -353,7 +353,7 @@ static IN_LINE float advance_by_mean_value(epf_f32_t *ep, float dx)
     const deflection_t z = {ep->z, ep->z_low};
     const float gap = gap_of(z, s, point->z_ss);
     const float room = c->z_ba - s * z.high;
-    if (d <= room) {
+    if (d < room) {
         return move_by(ep, z, dx, dx); /* all elastic */
     }
     if (LIKELY(!is_leap(c, d))) {
