@@ -45,21 +45,21 @@ static IN_LINE int32_t approached(const coeffs_t *c, const point_t *point, int32
     return saturated(deflecting_part(point, mean_share(u, p, point->span_share), d), gap);
 }
 
-/* -dzeta from above z_ss: near 1 - exp(-q) of the excess zeta - z_ss, q = d/z_ss */
+/* -dzeta from above z_ss: near 1 - exp(-q) of the excess zeta - z_ss, q = d/z_ss; all of it from 2.7 on */
 /*@ requires 0 < z_ss < STATE_LIMIT && 0 <= excess < STATE_LIMIT && 0 < d;
     assigns \nothing;
     ensures 0 <= \result <= excess;
     ensures 0 < excess ==> 0 < \result;
 */
-static LEAF int32_t let_go(int32_t z_ss, int32_t excess, int32_t d)
+static IN_LINE int32_t let_go(int32_t z_ss, int32_t excess, int32_t d)
 {
-    if (d / 4 >= z_ss) {
-        return excess;
+    if (d / 4 >= z_ss - z_ss / 8) {
+        return excess; /* q is 7/2 at the least; below that q/4 is a fraction */
     }
-    const uint32_t v = quarter_of_ratio((uint32_t)d, (uint32_t)z_ss); /* q/4 */
+    const uint32_t v = quarter_of_ratio((uint32_t)d, (uint32_t)z_ss);
     const fraction_t h = mean_root(leading(v));
     const uint32_t slowed = part(4u * (uint32_t)excess, product(h, h));
-    return relaxed(fine_part(slowed, v), excess); /* of q h^2 of it */
+    return relaxed(fine_part(slowed, v), excess); /* of q h^2 of it, q = 4 v */
 }
 
 /* dzeta for a displacement that leads beyond z_ba, short of 2 z_max: up to z_ba all of it, then a part */

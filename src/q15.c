@@ -112,7 +112,7 @@ static OUT_OF_LINE uint16_t inverse(uint16_t m)
     return high(2u * wide(x, high(0u - wide(m, x))));
 }
 
-/* d/(4 z) in Q32, for d/4 < z < 2^30 */
+/* d/(4 z) in Q32, where it is below 15/16 */
 /*@ requires 0 < z < 1073741824;
     assigns \nothing;
 */

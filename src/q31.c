@@ -133,7 +133,7 @@ static INVERSE_INLINE uint32_t inverse(uint32_t m)
     return product(x, 2u * ~product(m, x)); /* 2 - t in Q31, at least 2^-31 less */
 }
 
-/* d/(4 z), for d/4 < z < 2^30 */
+/* d/(4 z) in Q32, where it is below 15/16 */
 /*@ requires 0 < z < 1073741824;
     assigns \nothing;
 */
