@@ -93,6 +93,7 @@ static epf_params_t take_params(void)
     const unsigned kind = take_byte();
     epf_params_t p = {0};
     p.stribeck = (epf_stribeck_t)(kind % 4u);
+    p.update = kind & 128u ? EPF_UPDATE_MEAN_VALUE : EPF_UPDATE_SATURATED;
     p.sigma_0 = take_magnitude();
     p.sigma_1 = kind & 4u ? take_magnitude() : 0.0f;
     p.sigma_2 = kind & 8u ? take_magnitude() : 0.0f;
@@ -103,7 +104,7 @@ static epf_params_t take_params(void)
     p.z_ba = kind & 32u ? take_neighbour(z_c) : z_c * (float)take_byte() / 256.0f;
     return kind & 64u ? (epf_params_t){take_any_bits(), take_any_bits(), take_any_bits(),
                                        take_any_bits(), take_any_bits(), take_any_bits(),
-                                       take_any_bits(), p.stribeck,      EPF_UPDATE_SATURATED}
+                                       take_any_bits(), p.stribeck,      p.update}
                       : p;
 }
 
@@ -115,6 +116,7 @@ typedef struct {
     float force;
     float s, d;                    /* sgn dx, |dx| */
     float zeta_before, zeta, z_ss; /* in the direction of the motion */
+    double exact_before, exact;    /* zeta_before and zeta with what z has beyond float */
 } step_t;
 
 static int same_bits(float a, float b)
@@ -152,7 +154,7 @@ static void bounds_hold(const step_t *step)
     require(same_bits(epf_f32_output(&step->after), step->force));
     require(same_bits(epf_f32_z(&step->after), step->after.z));
     if (step->s != 0.0f) {
-        require(step->zeta <= step->z_ss);
+        require(step->zeta <= fmaxf(step->zeta_before, step->z_ss));
         require(step->zeta >= fminf(step->zeta_before, step->z_ss));
     } else {
         require(step->after.z == step->before.z && step->after.z_low == step->before.z_low);
@@ -180,6 +182,23 @@ static void leaps_arrive(const step_t *step)
     }
 }
 
+/* One rounding of z, and of the gap where that closed */
+static double resolution(const step_t *step)
+{
+    const double precision = step->zeta == step->z_ss ? 0x1p-22 : 0x1p-46;
+    return precision * (double)step->after.coeffs->z_max + 0x1p-149;
+}
+
+/* Does the motion stay below z_ba? The mean-value rule sees only what z is as a float. */
+static int is_elastic(const step_t *step)
+{
+    const epf_f32_coeffs_t *c = step->after.coeffs;
+    const double from = c->update == EPF_UPDATE_SATURATED
+                            ? step->exact_before
+                            : fmax(step->exact_before, (double)step->zeta_before);
+    return from + (double)step->d < (double)c->z_ba;
+}
+
 /* Lemma 1, to within one rounding of dx, and of the gap where that closed; and elastic below z_ba:
    dz = dx to the bit */
 static void deflection_follows(const step_t *step)
@@ -188,19 +207,35 @@ static void deflection_follows(const step_t *step)
     if (step->s == 0.0f) {
         return;
     }
-    const double before = (double)step->s * exact_z(&step->before);
-    const double after = (double)step->s * exact_z(&step->after);
-    const double precision = step->zeta == step->z_ss ? 0x1p-22 : 0x1p-46;
-    const double rounding = precision * (double)c->z_max + 0x1p-149;
-    const double at_most = (double)step->d * (1.0 + (double)FLT_EPSILON) + rounding;
+    const double before = step->exact_before, after = step->exact, d = (double)step->d;
+    const double rounding = resolution(step);
+    const double at_most = d * (1.0 + (double)FLT_EPSILON) + rounding;
     if (before < (double)step->z_ss) {
         require(after >= before - rounding && after - before <= at_most);
         const double dz = (double)(step->s * step->after.dz);
-        require(dz >= 0.0 && dz <= at_most);
+        require(dz >= 0.0 && dz <= (c->update == EPF_UPDATE_SATURATED ? at_most : d));
     }
-    if (before + (double)step->d < (double)c->z_ba) {
+    if (is_elastic(step)) {
         require(same_bits(step->after.dz, step->dx));
-        require(fabs(after - before - (double)step->d) <= rounding);
+        require(fabs(after - before - d) <= rounding);
+    }
+}
+
+/* Theorem 2: where z is beyond z_ba, at least 0.35 d/z_ss of its distance to z_ss goes, or all of it, and
+   from above never more; by the rule of the paper, there, all of it */
+static void gap_closes(const step_t *step)
+{
+    const double z_ss = (double)step->z_ss;
+    if (step->s == 0.0f || !(step->exact_before > (double)step->after.coeffs->z_ba)) {
+        return;
+    }
+    const double gap = z_ss - step->exact_before;
+    const double gap_after = z_ss - step->exact;
+    const double least = fabs(gap) * fmin(0.35 * (double)step->d / z_ss, 1.0);
+    require(fabs(gap) - fabs(gap_after) >= least - resolution(step));
+    if (gap <= 0.0) {
+        require(gap_after <= 0.0 && gap_after >= gap);
+        require(step->after.coeffs->update != EPF_UPDATE_SATURATED || gap_after == 0.0);
     }
 }
 
@@ -211,7 +246,7 @@ static void motion_dissipates(const step_t *step)
     if (step->s == 0.0f) {
         return;
     }
-    const int is_plastic = step->zeta_before > c->z_ba || step->zeta == step->z_ss;
+    const int is_plastic = step->zeta_before > c->z_ba || step->zeta > c->z_ba;
     if (is_plastic && c->sigma_0 * c->z_ba >= FLT_MIN && c->f_c >= 1024.0f * FLT_MIN) {
         require(step->s * step->force > 0.0f);
     }
@@ -265,6 +300,8 @@ static step_t take_step(epf_f32_t *ep, float dx, float v, float dt)
     step.zeta_before = step.s * step.before.z;
     step.zeta = step.s * step.after.z;
     step.z_ss = step.after.points[step.after.published].z_ss;
+    step.exact_before = (double)step.s * exact_z(&step.before);
+    step.exact = (double)step.s * exact_z(&step.after);
     return step;
 }
 
@@ -325,6 +362,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         bad_values_are_counted(&step);
         leaps_arrive(&step);
         deflection_follows(&step);
+        gap_closes(&step);
         motion_dissipates(&step);
         force_is_eq_14(&step);
         pure_functions_are_in_range(&c, ep.z, v);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Drives the float estimator through every sequence, for every contact, with sigma_1 well inside
- * and far outside of eq. (22), and shows each step to a visitor.
+ * Drives the float estimator through every sequence, for every contact, by either update rule, with
+ * sigma_1 well inside and far outside of eq. (22), and shows each step to a visitor.
  */
 #ifndef EPF_TESTS_F32_WALK_H
 #define EPF_TESTS_F32_WALK_H
@@ -20,6 +20,8 @@ typedef struct {
     const epf_f32_coeffs_t *coeffs;
     float dx, v, dt; /* what the estimator was given */
     float z_before, z, force;
+    float z_low_before, z_low; /* what z has beyond float */
+    float dz;
     float s, d;              /* sgn dx, |dx| */
     float zeta_before, zeta; /* s z_{k-1}, s z_k */
     float z_ss;              /* |z_ss(v)| of this step */
