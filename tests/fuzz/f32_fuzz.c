@@ -3,11 +3,14 @@
  * libFuzzer drives parameters and inputs: no accepted contact and no input may break a sentence of
  * f32.h. What it is given is not taken bit by bit alone, for that would seldom hit what matters, but
  * also as neighbours and multiples of the contact's own lengths, in every exponent.
+ *
+ * Linked with tests/theorems/{f32_properties,f32_step}.c and the library.
  */
-#include "epf/epf.h"
+#include "../theorems/f32_properties.h"
 
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +19,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 static void require(int condition)
 {
     if (!condition) {
+        abort();
+    }
+}
+
+void f32_check(const f32_step_t *step, bool condition, const char *claim)
+{
+    if (!condition) {
+        char text[F32_STEP_TEXT];
+        f32_step_describe(step, claim, text);
+        (void)fprintf(stderr, "%s\n", text);
         abort();
     }
 }
@@ -110,15 +123,6 @@ static epf_params_t take_params(void)
 
 /* ---- what f32.h says ------------------------------------------------------------------------ */
 
-typedef struct {
-    float dx, v, dt;
-    epf_f32_t before, after;
-    float force;
-    float s, d;                    /* sgn dx, |dx| */
-    float zeta_before, zeta, z_ss; /* in the direction of the motion */
-    double exact_before, exact;    /* zeta_before and zeta with what z has beyond float */
-} step_t;
-
 static int same_bits(float a, float b)
 {
     return bits_of(a) == bits_of(b);
@@ -144,7 +148,7 @@ static int is_usable_time(float dt)
     return dt > 0.0f && dt <= FLT_MAX;
 }
 
-static void bounds_hold(const step_t *step)
+static void bounds_hold(const f32_step_t *step)
 {
     const epf_f32_coeffs_t *c = step->after.coeffs;
     require(isfinite(step->force));
@@ -161,7 +165,7 @@ static void bounds_hold(const step_t *step)
     }
 }
 
-static void bad_values_are_counted(const step_t *step)
+static void bad_values_are_counted(const f32_step_t *step)
 {
     const unsigned bad = (unsigned)(isnan(step->dx) + isnan(step->v) + !is_usable_time(step->dt));
     require(step->after.rejected - step->before.rejected == bad);
@@ -175,72 +179,8 @@ static void bad_values_are_counted(const step_t *step)
     }
 }
 
-static void leaps_arrive(const step_t *step)
-{
-    if (step->s != 0.0f && step->d >= 2.0f * step->after.coeffs->z_max) {
-        require(step->zeta == step->z_ss && step->after.z_low == 0.0f);
-    }
-}
-
-/* One rounding of z, and of the gap where that closed */
-static double resolution(const step_t *step)
-{
-    const double precision = step->zeta == step->z_ss ? 0x1p-22 : 0x1p-46;
-    return precision * (double)step->after.coeffs->z_max + 0x1p-149;
-}
-
-/* Does the motion stay below z_ba? The mean-value rule sees only what z is as a float. */
-static int is_elastic(const step_t *step)
-{
-    const epf_f32_coeffs_t *c = step->after.coeffs;
-    const double from = c->update == EPF_UPDATE_SATURATED
-                            ? step->exact_before
-                            : fmax(step->exact_before, (double)step->zeta_before);
-    return from + (double)step->d < (double)c->z_ba;
-}
-
-/* Lemma 1, to within one rounding of dx, and of the gap where that closed; and elastic below z_ba:
-   dz = dx to the bit */
-static void deflection_follows(const step_t *step)
-{
-    const epf_f32_coeffs_t *c = step->after.coeffs;
-    if (step->s == 0.0f) {
-        return;
-    }
-    const double before = step->exact_before, after = step->exact, d = (double)step->d;
-    const double rounding = resolution(step);
-    const double at_most = d * (1.0 + (double)FLT_EPSILON) + rounding;
-    if (before < (double)step->z_ss) {
-        require(after >= before - rounding && after - before <= at_most);
-        const double dz = (double)(step->s * step->after.dz);
-        require(dz >= 0.0 && dz <= (c->update == EPF_UPDATE_SATURATED ? at_most : d));
-    }
-    if (is_elastic(step)) {
-        require(same_bits(step->after.dz, step->dx));
-        require(fabs(after - before - d) <= rounding);
-    }
-}
-
-/* Theorem 2: where z is beyond z_ba, at least 0.35 d/z_ss of its distance to z_ss goes, or all of it, and
-   from above never more; by the rule of the paper, there, all of it */
-static void gap_closes(const step_t *step)
-{
-    const double z_ss = (double)step->z_ss;
-    if (step->s == 0.0f || !(step->exact_before > (double)step->after.coeffs->z_ba)) {
-        return;
-    }
-    const double gap = z_ss - step->exact_before;
-    const double gap_after = z_ss - step->exact;
-    const double least = fabs(gap) * fmin(0.35 * (double)step->d / z_ss, 1.0);
-    require(fabs(gap) - fabs(gap_after) >= least - resolution(step));
-    if (gap <= 0.0) {
-        require(gap_after <= 0.0 && gap_after >= gap);
-        require(step->after.coeffs->update != EPF_UPDATE_SATURATED || gap_after == 0.0);
-    }
-}
-
 /* Theorem 3, where float can show it; Theorem 4 */
-static void motion_dissipates(const step_t *step)
+static void motion_dissipates(const f32_step_t *step)
 {
     const epf_f32_coeffs_t *c = step->after.coeffs;
     if (step->s == 0.0f) {
@@ -260,7 +200,7 @@ static void motion_dissipates(const step_t *step)
 }
 
 /* Eq. (14), as long as no term is near the end of the range, nor the guard at work */
-static void force_is_eq_14(const step_t *step)
+static void force_is_eq_14(const f32_step_t *step)
 {
     const epf_f32_coeffs_t *c = step->after.coeffs;
     const epf_f32_t *ep = &step->after;
@@ -290,22 +230,7 @@ static void pure_functions_are_in_range(const epf_f32_coeffs_t *c, float z, floa
 
 /* ---- one contact ---------------------------------------------------------------------------- */
 
-static step_t take_step(epf_f32_t *ep, float dx, float v, float dt)
-{
-    step_t step = {.dx = dx, .v = v, .dt = dt, .before = *ep};
-    step.force = epf_f32_step(ep, dx, v, dt);
-    step.after = *ep;
-    step.s = dx > 0.0f ? 1.0f : dx < 0.0f ? -1.0f : 0.0f;
-    step.d = fabsf(dx);
-    step.zeta_before = step.s * step.before.z;
-    step.zeta = step.s * step.after.z;
-    step.z_ss = step.after.points[step.after.published].z_ss;
-    step.exact_before = (double)step.s * exact_z(&step.before);
-    step.exact = (double)step.s * exact_z(&step.after);
-    return step;
-}
-
-static void same_in_parts(epf_f32_t ep, const step_t *step)
+static void same_in_parts(epf_f32_t ep, const f32_step_t *step)
 {
     epf_f32_set_velocity(&ep, step->v);
     require(same_bits(epf_f32_advance(&ep, step->dx), step->after.z));
@@ -313,7 +238,7 @@ static void same_in_parts(epf_f32_t ep, const step_t *step)
     same_state(&ep, &step->after);
 }
 
-static void mirror_image_follows(epf_f32_t *mirror, const step_t *step)
+static void mirror_image_follows(epf_f32_t *mirror, const f32_step_t *step)
 {
     const float force = epf_f32_step(mirror, -step->dx, -step->v, step->dt);
     require(force == -step->force && mirror->z == -step->after.z);
@@ -357,12 +282,21 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         }
         const float dx = take_value(lengths, 5);
         const float v = take_value(speeds, 3);
-        const step_t step = take_step(&ep, dx, v, take_value(times, 3));
+        f32_step_t step = {.contact = "fuzzed",
+                           .sequence = "fuzzed",
+                           .params = &params,
+                           .coeffs = &c,
+                           .dx = dx,
+                           .v = v,
+                           .dt = take_value(times, 3)};
+        f32_step_take(&step, &ep);
         bounds_hold(&step);
         bad_values_are_counted(&step);
-        leaps_arrive(&step);
-        deflection_follows(&step);
-        gap_closes(&step);
+        f32_rises_by_no_more_than_the_displacement(&step);
+        f32_is_elastic_up_to_z_ba(&step);
+        f32_lets_go_from_above_z_ss(&step);
+        f32_gap_closes(&step);
+        f32_leap_arrives(&step);
         motion_dissipates(&step);
         force_is_eq_14(&step);
         pure_functions_are_in_range(&c, ep.z, v);

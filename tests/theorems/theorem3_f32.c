@@ -3,6 +3,7 @@
 #include "effort.h"
 #include "f32_walk.h"
 #include "oracle.h"
+#include "sequences.h"
 #include "unity.h"
 
 #include <math.h>
@@ -38,7 +39,7 @@ static unsigned violations, guarded, steps_within_bound;
 
 static void count_violations_without_guard(const f32_step_t *step)
 {
-    if (is_plastic(step) && step->sequence != SEQUENCE_EXTREMES) {
+    if (is_plastic(step) && !step->is_extreme) {
         const double f = oracle_force(step->params, (double)step->z_before, (double)step->z,
                                       (double)step->dx, (double)step->v, (double)step->dt);
         violations += (double)step->s * f <= 0.0;
@@ -55,7 +56,7 @@ static void test_theorem3_fails_without_the_guard_far_outside_of_equation_22(voi
 static void force_is_as_printed_within_equation_22(const f32_step_t *step)
 {
     const double limit = (double)epf_sigma_1_limit(step->params, step->v, step->dt);
-    if (step->sequence == SEQUENCE_EXTREMES || (double)step->params->sigma_1 > 0.99 * limit) {
+    if (step->is_extreme || (double)step->params->sigma_1 > 0.99 * limit) {
         return;
     }
     const double printed = oracle_force(step->params, (double)step->z_before, (double)step->z,
