@@ -30,7 +30,7 @@ static double resolution(const f32_step_t *step)
     return precision * (double)step->coeffs->z_max + 0x1p-149;
 }
 
-/* The rule of the paper may make one rounding more of dx than there is */
+/* The paper's rule may make more of dx than there is, by its roundings */
 void f32_rises_by_no_more_than_the_displacement(const f32_step_t *step)
 {
     const double before = exact_before(step), after = exact_after(step), d = (double)step->d;
@@ -38,7 +38,7 @@ void f32_rises_by_no_more_than_the_displacement(const f32_step_t *step)
         return;
     }
     const double dz = (double)(step->s * step->after.dz);
-    const double most = is_saturated(step) ? d * (1.0 + (double)FLT_EPSILON) : d;
+    const double most = is_saturated(step) ? d * (1.0 + (double)FLT_EPSILON) + resolution(step) : d;
     f32_check(step, after >= before, "zeta' >= zeta");
     f32_check(step, after <= (double)step->z_ss, "zeta' <= z_ss");
     f32_check(step, after - before <= most + resolution(step), "zeta' - zeta <= d");
