@@ -63,7 +63,7 @@ void f32_is_elastic_up_to_z_ba(const f32_step_t *step)
         f32_check(step, step->after.dz == step->dx, "below z_ba dz = dx, to the bit");
         f32_check(step, fabs(moved - (double)step->d) <= resolution(step), "zeta' = zeta + d");
     } else {
-        f32_check(step, exact_after(step) >= z_ba - 0x1p-24 * (double)step->coeffs->z_max,
+        f32_check(step, exact_after(step) >= z_ba - 0x1p-22 * (double)step->coeffs->z_max,
                   "zeta' >= z_ba");
     }
 }
