@@ -171,7 +171,7 @@ static void test_step_has_the_bits_of_set_velocity_advance_and_force(void)
         setUp();
         epf_f32_init(&other, &table_2);
         sequence_start(&q, (sequence_kind_t)kind, 3);
-        for (int i = 0; i < 1000; i++) {
+        for (long i = 0; i < EFFORT(20000L) + 100; i++) {
             const sample_t sample = sequence_next(&q);
             const float dx = f32_from_double(sample.dx * (double)table_2.z_max);
             const float v = f32_from_double(sample.v * 1e-3);
