@@ -141,7 +141,7 @@ static void test_deflection_is_monotonic_in_the_displacement_up_to_2_z_max(void)
     sequence_t q;
     sequence_start(&q, SEQUENCE_RANDOM_WALK, 8);
     for (long i = 0; i < EFFORT(4000L); i++) {
-        const int contact = (int)(i % (PARAMETER_SETS * UPDATE_RULES));
+        const int contact = (int)i % (PARAMETER_SETS * UPDATE_RULES);
         const epf_params_t params = parameters_by((epf_update_t)(contact % UPDATE_RULES),
                                                   &parameter_sets[contact / UPDATE_RULES]);
         epf_f32_coeffs_t coeffs;
