@@ -57,6 +57,7 @@
 #define EPF_F32_H
 
 #include "epf/detail/constants.h"
+#include "epf/detail/names.h"
 #include "epf/params.h"
 
 #include <stdint.h>
@@ -104,19 +105,6 @@ typedef struct {
     int8_t direction;  /* sgn dx_k; 0 after init and reset */
     uint8_t published; /* index of the published operating point */
 } epf_f32_t;
-
-/*
- * A library for one form of f_ss would use coefficients of another form as if they were of its own. So
- * there the functions that take coefficients have that form in their names for the linker, and code
- * that was compiled without the same EPF_STRIBECK_ONLY does not link.
- */
-#ifdef EPF_STRIBECK_ONLY
-#define EPF_F32_FOR_(name, form)      EPF_F32_FOR_FORM_(name, form)
-#define EPF_F32_FOR_FORM_(name, form) name##_for_##form
-#define epf_f32_init                  EPF_F32_FOR_(epf_f32_init, EPF_STRIBECK_ONLY)
-#define epf_f32_fss                   EPF_F32_FOR_(epf_f32_fss, EPF_STRIBECK_ONLY)
-#define epf_f32_alpha                 EPF_F32_FOR_(epf_f32_alpha, EPF_STRIBECK_ONLY)
-#endif
 
 /**
  * Makes coefficients at run time.

@@ -8,6 +8,7 @@
 #define EPF_Q15_H
 
 #include "epf/detail/constants.h"
+#include "epf/detail/names.h"
 #include "epf/fixed.h"
 
 #ifdef __cplusplus

@@ -9,6 +9,7 @@
 #define EPF_Q31_H
 
 #include "epf/detail/constants.h"
+#include "epf/detail/names.h"
 #include "epf/fixed.h"
 
 #ifdef __cplusplus

@@ -119,20 +119,31 @@ static void test_coeffs_made_at_run_time_have_the_bits_of_the_macro(void)
     }
 }
 
-static void test_outputs_have_the_bits_of_every_other_target(void)
+static uint32_t checksum_by(epf_update_t rule)
 {
     uint32_t checksum = CHECKSUM_OF_NOTHING;
     uint32_t random = 1;
     for (int i = 0; i < CONTACTS; i++) {
+        epf_f32_coeffs_t coeffs = contacts[i].coeffs;
+        coeffs.update = rule;
         epf_f32_t ep;
-        epf_f32_init(&ep, &contacts[i].coeffs);
+        epf_f32_init(&ep, &coeffs);
         checksum = add_coeffs(checksum, ep.coeffs);
         for (unsigned k = 0; k < SAMPLES; k++) {
             checksum = add_sample(checksum, &ep, k, &random);
         }
     }
-    printf("#define CHECKSUM_F32 0x%08lxu\n", (unsigned long)checksum);
-    TEST_ASSERT_EQUAL_HEX32(CHECKSUM_F32, checksum);
+    return checksum;
+}
+
+static void test_outputs_have_the_bits_of_every_other_target(void)
+{
+    const uint32_t saturated = checksum_by(EPF_UPDATE_SATURATED);
+    const uint32_t mean_value = checksum_by(EPF_UPDATE_MEAN_VALUE);
+    printf("#define CHECKSUM_F32            0x%08lxu\n", (unsigned long)saturated);
+    printf("#define CHECKSUM_F32_MEAN_VALUE 0x%08lxu\n", (unsigned long)mean_value);
+    TEST_ASSERT_EQUAL_HEX32(CHECKSUM_F32, saturated);
+    TEST_ASSERT_EQUAL_HEX32(CHECKSUM_F32_MEAN_VALUE, mean_value);
 }
 
 int main(void)

@@ -93,14 +93,11 @@ static double exact(deflection_t z)
     return z.high.value + z.low.value;
 }
 
-static void sum_is_right(deflection_t z, double z_ss, double y)
+// z + y, wherever y leads
+static deflection_t right_sum(deflection_t z, double y)
 {
     const deflection_t sum = sum_of(z, Small(y));
-    check(exact(sum) <= z_ss, "high + low <= z_ss");
-    check(sum.high.value <= z_ss, "high <= z_ss");
     check(Small(exact(sum)).value == sum.high.value, "|low| <= ulp(high)/2");
-    check(sum.high.value >= z.high.value, "high never falls");
-    check(exact(sum) >= exact(z), "the sum never falls");
     // of z.low and the part of y that high loses, one rounding is all that is lost
     const double first = Small(z.high.value + y).value;
     const double lost = z.high.value + y - first;
@@ -108,19 +105,43 @@ static void sum_is_right(deflection_t z, double z_ss, double y)
     const deflection_t negative = {Small(-z.high.value), Small(-z.low.value)};
     const deflection_t mirror = sum_of(negative, Small(-y));
     check(mirror.high.value == -sum.high.value && mirror.low.value == -sum.low.value, "odd");
+    return sum;
+}
+
+static void rises_to_z_ss_at_most(deflection_t z, double z_ss, double y)
+{
+    const deflection_t sum = right_sum(z, y);
+    check(exact(sum) <= z_ss, "high + low <= z_ss");
+    check(sum.high.value <= z_ss, "high <= z_ss");
+    check(sum.high.value >= z.high.value, "high never falls");
+    check(exact(sum) >= exact(z), "the sum never falls");
+}
+
+static void falls_to_z_ss_at_most(deflection_t z, double z_ss, double y)
+{
+    const deflection_t sum = right_sum(z, y);
+    check(exact(sum) >= z_ss, "high + low >= z_ss");
+    check(sum.high.value >= z_ss, "high >= z_ss");
+    check(sum.high.value <= z.high.value, "high never rises");
+    check(exact(sum) <= exact(z), "the sum never rises");
 }
 
 static void every_displacement(deflection_t z, double z_ss, const std::vector<double> &ys)
 {
     const double gap = gap_of(z, Small(1.0), Small(z_ss)).value;
     check((gap > 0.0) == (exact(z) < z_ss), "the sign of the gap");
+    check((gap < 0.0) == (exact(z) > z_ss), "the sign of a gap from above");
     const deflection_t negative = {Small(-z.high.value), Small(-z.low.value)};
     check(gap_of(negative, Small(-1.0), Small(z_ss)).value == gap, "the gap of the mirror image");
     for (double y : ys) {
-        if (y >= gap) {
+        if (y >= std::fabs(gap)) {
             break;
         }
-        sum_is_right(z, z_ss, y);
+        if (gap > 0.0) {
+            rises_to_z_ss_at_most(z, z_ss, y);
+        } else {
+            falls_to_z_ss_at_most(z, z_ss, -y);
+        }
     }
 }
 

@@ -3,11 +3,14 @@
  * libFuzzer drives parameters and inputs: no accepted contact and no input may break a sentence of
  * f32.h. What it is given is not taken bit by bit alone, for that would seldom hit what matters, but
  * also as neighbours and multiples of the contact's own lengths, in every exponent.
+ *
+ * Linked with tests/theorems/{f32_properties,f32_step}.c and the library.
  */
-#include "epf/epf.h"
+#include "../theorems/f32_properties.h"
 
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +19,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 static void require(int condition)
 {
     if (!condition) {
+        abort();
+    }
+}
+
+void f32_check(const f32_step_t *step, bool condition, const char *claim)
+{
+    if (!condition) {
+        char text[F32_STEP_TEXT];
+        f32_step_describe(step, claim, text);
+        (void)fprintf(stderr, "%s\n", text);
         abort();
     }
 }
@@ -93,6 +106,7 @@ static epf_params_t take_params(void)
     const unsigned kind = take_byte();
     epf_params_t p = {0};
     p.stribeck = (epf_stribeck_t)(kind % 4u);
+    p.update = kind & 128u ? EPF_UPDATE_MEAN_VALUE : EPF_UPDATE_SATURATED;
     p.sigma_0 = take_magnitude();
     p.sigma_1 = kind & 4u ? take_magnitude() : 0.0f;
     p.sigma_2 = kind & 8u ? take_magnitude() : 0.0f;
@@ -103,19 +117,11 @@ static epf_params_t take_params(void)
     p.z_ba = kind & 32u ? take_neighbour(z_c) : z_c * (float)take_byte() / 256.0f;
     return kind & 64u ? (epf_params_t){take_any_bits(), take_any_bits(), take_any_bits(),
                                        take_any_bits(), take_any_bits(), take_any_bits(),
-                                       take_any_bits(), p.stribeck,      EPF_UPDATE_SATURATED}
+                                       take_any_bits(), p.stribeck,      p.update}
                       : p;
 }
 
 /* ---- what f32.h says ------------------------------------------------------------------------ */
-
-typedef struct {
-    float dx, v, dt;
-    epf_f32_t before, after;
-    float force;
-    float s, d;                    /* sgn dx, |dx| */
-    float zeta_before, zeta, z_ss; /* in the direction of the motion */
-} step_t;
 
 static int same_bits(float a, float b)
 {
@@ -142,7 +148,7 @@ static int is_usable_time(float dt)
     return dt > 0.0f && dt <= FLT_MAX;
 }
 
-static void bounds_hold(const step_t *step)
+static void bounds_hold(const f32_step_t *step)
 {
     const epf_f32_coeffs_t *c = step->after.coeffs;
     require(isfinite(step->force));
@@ -152,14 +158,14 @@ static void bounds_hold(const step_t *step)
     require(same_bits(epf_f32_output(&step->after), step->force));
     require(same_bits(epf_f32_z(&step->after), step->after.z));
     if (step->s != 0.0f) {
-        require(step->zeta <= step->z_ss);
+        require(step->zeta <= fmaxf(step->zeta_before, step->z_ss));
         require(step->zeta >= fminf(step->zeta_before, step->z_ss));
     } else {
         require(step->after.z == step->before.z && step->after.z_low == step->before.z_low);
     }
 }
 
-static void bad_values_are_counted(const step_t *step)
+static void bad_values_are_counted(const f32_step_t *step)
 {
     const unsigned bad = (unsigned)(isnan(step->dx) + isnan(step->v) + !is_usable_time(step->dt));
     require(step->after.rejected - step->before.rejected == bad);
@@ -173,45 +179,14 @@ static void bad_values_are_counted(const step_t *step)
     }
 }
 
-static void leaps_arrive(const step_t *step)
-{
-    if (step->s != 0.0f && step->d >= 2.0f * step->after.coeffs->z_max) {
-        require(step->zeta == step->z_ss && step->after.z_low == 0.0f);
-    }
-}
-
-/* Lemma 1, to within one rounding of dx, and of the gap where that closed; and elastic below z_ba:
-   dz = dx to the bit */
-static void deflection_follows(const step_t *step)
-{
-    const epf_f32_coeffs_t *c = step->after.coeffs;
-    if (step->s == 0.0f) {
-        return;
-    }
-    const double before = (double)step->s * exact_z(&step->before);
-    const double after = (double)step->s * exact_z(&step->after);
-    const double precision = step->zeta == step->z_ss ? 0x1p-22 : 0x1p-46;
-    const double rounding = precision * (double)c->z_max + 0x1p-149;
-    const double at_most = (double)step->d * (1.0 + (double)FLT_EPSILON) + rounding;
-    if (before < (double)step->z_ss) {
-        require(after >= before - rounding && after - before <= at_most);
-        const double dz = (double)(step->s * step->after.dz);
-        require(dz >= 0.0 && dz <= at_most);
-    }
-    if (before + (double)step->d < (double)c->z_ba) {
-        require(same_bits(step->after.dz, step->dx));
-        require(fabs(after - before - (double)step->d) <= rounding);
-    }
-}
-
 /* Theorem 3, where float can show it; Theorem 4 */
-static void motion_dissipates(const step_t *step)
+static void motion_dissipates(const f32_step_t *step)
 {
     const epf_f32_coeffs_t *c = step->after.coeffs;
     if (step->s == 0.0f) {
         return;
     }
-    const int is_plastic = step->zeta_before > c->z_ba || step->zeta == step->z_ss;
+    const int is_plastic = step->zeta_before > c->z_ba || step->zeta > c->z_ba;
     if (is_plastic && c->sigma_0 * c->z_ba >= FLT_MIN && c->f_c >= 1024.0f * FLT_MIN) {
         require(step->s * step->force > 0.0f);
     }
@@ -225,7 +200,7 @@ static void motion_dissipates(const step_t *step)
 }
 
 /* Eq. (14), as long as no term is near the end of the range, nor the guard at work */
-static void force_is_eq_14(const step_t *step)
+static void force_is_eq_14(const f32_step_t *step)
 {
     const epf_f32_coeffs_t *c = step->after.coeffs;
     const epf_f32_t *ep = &step->after;
@@ -255,20 +230,7 @@ static void pure_functions_are_in_range(const epf_f32_coeffs_t *c, float z, floa
 
 /* ---- one contact ---------------------------------------------------------------------------- */
 
-static step_t take_step(epf_f32_t *ep, float dx, float v, float dt)
-{
-    step_t step = {.dx = dx, .v = v, .dt = dt, .before = *ep};
-    step.force = epf_f32_step(ep, dx, v, dt);
-    step.after = *ep;
-    step.s = dx > 0.0f ? 1.0f : dx < 0.0f ? -1.0f : 0.0f;
-    step.d = fabsf(dx);
-    step.zeta_before = step.s * step.before.z;
-    step.zeta = step.s * step.after.z;
-    step.z_ss = step.after.points[step.after.published].z_ss;
-    return step;
-}
-
-static void same_in_parts(epf_f32_t ep, const step_t *step)
+static void same_in_parts(epf_f32_t ep, const f32_step_t *step)
 {
     epf_f32_set_velocity(&ep, step->v);
     require(same_bits(epf_f32_advance(&ep, step->dx), step->after.z));
@@ -276,7 +238,7 @@ static void same_in_parts(epf_f32_t ep, const step_t *step)
     same_state(&ep, &step->after);
 }
 
-static void mirror_image_follows(epf_f32_t *mirror, const step_t *step)
+static void mirror_image_follows(epf_f32_t *mirror, const f32_step_t *step)
 {
     const float force = epf_f32_step(mirror, -step->dx, -step->v, step->dt);
     require(force == -step->force && mirror->z == -step->after.z);
@@ -320,11 +282,21 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         }
         const float dx = take_value(lengths, 5);
         const float v = take_value(speeds, 3);
-        const step_t step = take_step(&ep, dx, v, take_value(times, 3));
+        f32_step_t step = {.contact = "fuzzed",
+                           .sequence = "fuzzed",
+                           .params = &params,
+                           .coeffs = &c,
+                           .dx = dx,
+                           .v = v,
+                           .dt = take_value(times, 3)};
+        f32_step_take(&step, &ep);
         bounds_hold(&step);
         bad_values_are_counted(&step);
-        leaps_arrive(&step);
-        deflection_follows(&step);
+        f32_rises_by_no_more_than_the_displacement(&step);
+        f32_is_elastic_up_to_z_ba(&step);
+        f32_lets_go_from_above_z_ss(&step);
+        f32_gap_closes(&step);
+        f32_leap_arrives(&step);
         motion_dissipates(&step);
         force_is_eq_14(&step);
         pure_functions_are_in_range(&c, ep.z, v);

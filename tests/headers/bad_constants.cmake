@@ -3,10 +3,11 @@
 include(${CMAKE_CURRENT_LIST_DIR}/compile.cmake)
 
 set(rest "EPF_STRIBECK_LORENTZIAN,EPF_UPDATE_SATURATED")
+set(build "") # flags of the one that is tested
 set(MOST_LINES 40) # of gcc's whole message, where no quotient of the other parameters leaves its range
 
 function(accepts coeffs)
-    compile_constant("${coeffs}")
+    compile_constant("${coeffs}" ${build})
     if(result OR message)
         message(SEND_ERROR "${coeffs} should compile without a word:\n${message}")
     endif()
@@ -14,7 +15,7 @@ endfunction()
 
 # refuses(CAUSE COEFFS [BRIEF])
 function(refuses cause coeffs)
-    compile_constant("${coeffs}")
+    compile_constant("${coeffs}" ${build})
     string(REGEX MATCH "[^\n]*error:[^\n]*" first "${message}")
     if(NOT result OR NOT first MATCHES "${cause}")
         message(SEND_ERROR "${coeffs} should be refused as ${cause}, found:\n${message}")
@@ -30,7 +31,7 @@ endfunction()
 function(all_parameters name end)
     # sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update
     accepts("${name}(1e5f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f,${rest}${end})")
-    accepts("${name}(1e5,63,0,1,1.1,1e-5,8e-6,EPF_STRIBECK_GAUSSIAN,EPF_UPDATE_SATURATED${end})")
+    accepts("${name}(1e5,63,0,1,1.1,1e-5,8e-6,EPF_STRIBECK_GAUSSIAN,EPF_UPDATE_MEAN_VALUE${end})")
     refuses(sigma_0_must_be_positive
         "${name}(0.0f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f,${rest}${end})")
     refuses(sigma_1_must_not_be_negative
@@ -52,13 +53,26 @@ function(all_parameters name end)
     refuses(stribeck_must_be_a_form_of_this_build
         "${name}(1e5f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f,7,EPF_UPDATE_SATURATED${end})" BRIEF)
     refuses(update_must_be_a_rule_of_this_build
-        "${name}(1e5f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f,EPF_STRIBECK_GAUSSIAN,1${end})" BRIEF)
+        "${name}(1e5f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f,EPF_STRIBECK_GAUSSIAN,2${end})" BRIEF)
+endfunction()
+
+# one_form_and_rule(NAME END): of a build that has only these
+function(one_form_and_rule name end)
+    set(build -DEPF_STRIBECK_ONLY=EPF_STRIBECK_GAUSSIAN -DEPF_UPDATE_ONLY=EPF_UPDATE_MEAN_VALUE)
+    set(slide "1e5f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f")
+    accepts("${name}(${slide},EPF_STRIBECK_GAUSSIAN,EPF_UPDATE_MEAN_VALUE${end})")
+    refuses(stribeck_must_be_a_form_of_this_build
+        "${name}(${slide},EPF_STRIBECK_COULOMB,EPF_UPDATE_MEAN_VALUE${end})" BRIEF)
+    refuses(update_must_be_a_rule_of_this_build
+        "${name}(${slide},EPF_STRIBECK_GAUSSIAN,EPF_UPDATE_SATURATED${end})" BRIEF)
 endfunction()
 
 all_parameters(EPF_F32_COEFFS "")
+one_form_and_rule(EPF_F32_COEFFS "")
 set(slide "1e5f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f,${rest}")
 foreach(name EPF_Q31_COEFFS EPF_Q15_COEFFS)
     all_parameters(${name} ",1e-7f,1e-7f,1e-4f,1e-5f")
+    one_form_and_rule(${name} ",1e-7f,1e-7f,1e-4f,1e-5f")
     # lsb_x, lsb_v, lsb_f, lsb_t
     foreach(lsb_x 0.0f 9e-6f 1e-15f)
         refuses(lsb_x_must_be_at_most_z_ba "${name}(${slide},${lsb_x},1e-7f,1e-4f,1e-5f)")

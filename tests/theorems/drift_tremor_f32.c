@@ -58,10 +58,12 @@ static void test_drift_tremor_ends_where_it_began(void)
 {
     sequence_t q;
     sequence_start(&q, SEQUENCE_TREMOR, 7);
-    for (int set = 0; set < PARAMETER_SETS; set++) {
+    for (int contact = 0; contact < PARAMETER_SETS * UPDATE_RULES; contact++) {
+        const parameter_set_t *set = &parameter_sets[contact / UPDATE_RULES];
+        const epf_params_t params = parameters_by((epf_update_t)(contact % UPDATE_RULES), set);
         epf_f32_coeffs_t coeffs;
         epf_f32_t ep;
-        (void)epf_f32_coeffs_init(&coeffs, &parameter_sets[set].params);
+        (void)epf_f32_coeffs_init(&coeffs, &params);
         epf_f32_init(&ep, &coeffs);
         epf_f32_reset(&ep, 0.4f * coeffs.z_ba);
         const double start = (double)epf_f32_z(&ep);
@@ -73,7 +75,7 @@ static void test_drift_tremor_ends_where_it_began(void)
         const double expected = start + (double)cycles_of_tremor * sum_of(dx);
         TEST_ASSERT_TRUE_MESSAGE(fabs((double)epf_f32_z(&ep) - expected) <=
                                      (double)(FLT_EPSILON * coeffs.z_ba),
-                                 parameter_sets[set].name);
+                                 set->name);
     }
 }
 

@@ -3,10 +3,10 @@
 
 #include "effort.h"
 #include "parameter_sets.h"
+#include "sequences.h"
 #include "unity.h"
 
 #include <math.h>
-#include <stdio.h>
 
 static const float sigma_1_over_limit[] = {0.5f, 1e4f};
 
@@ -43,40 +43,25 @@ float f32_from_double(double x)
 
 void f32_check(const f32_step_t *step, bool condition, const char *claim)
 {
-    if (condition) {
-        return;
+    if (!condition) {
+        static char text[F32_STEP_TEXT];
+        f32_step_describe(step, claim, text);
+        TEST_FAIL_MESSAGE(text);
     }
-    static char message[320];
-    (void)snprintf(message, sizeof message,
-                   "%s: %s, %s, step %u: dx %g v %g dt %g z %.9g -> %.9g, z_ss %.9g, force %.9g",
-                   claim, step->contact, sequence_name(step->sequence), step->index,
-                   (double)step->dx, (double)step->v, (double)step->dt, (double)step->z_before,
-                   (double)step->z, (double)step->z_ss, (double)step->force);
-    TEST_FAIL_MESSAGE(message);
 }
 
 static void take(epf_f32_t *ep, f32_step_t *step, sample_t sample)
 {
-    const double z_max = (double)step->coeffs->z_max;
-    step->dx = f32_from_double(sample.dx * z_max);
+    step->dx = f32_from_double(sample.dx * (double)step->coeffs->z_max);
     step->v = f32_from_double(sample.v * (double)step->params->v_s);
     step->dt = (float)sample.dt;
-
-    step->z_before = epf_f32_z(ep);
-    step->force = epf_f32_step(ep, step->dx, step->v, step->dt);
-    step->z = epf_f32_z(ep);
-
-    step->s = step->dx > 0.0f ? 1.0f : step->dx < 0.0f ? -1.0f : 0.0f;
-    step->d = fabsf(step->dx);
-    step->zeta_before = step->s * step->z_before;
-    step->zeta = step->s * step->z;
-    step->z_ss = ep->points[ep->published].z_ss;
+    f32_step_take(step, ep);
 }
 
-static void walk_contact(const parameter_set_t *set, float sigma_1_factor, unsigned samples,
-                         f32_visitor_t visit)
+static void walk_contact(const parameter_set_t *set, epf_update_t rule, float sigma_1_factor,
+                         unsigned samples, f32_visitor_t visit)
 {
-    epf_params_t params = set->params;
+    epf_params_t params = parameters_by(rule, set);
     const float limit = epf_sigma_1_limit(&params, 0.0f, 1e-3f);
     if (isfinite(limit)) {
         params.sigma_1 = sigma_1_factor * limit;
@@ -86,11 +71,12 @@ static void walk_contact(const parameter_set_t *set, float sigma_1_factor, unsig
 
     for (int kind = 0; kind < SEQUENCE_KINDS; kind++) {
         f32_step_t step = {.contact = set->name,
-                           .sequence = (sequence_kind_t)kind,
+                           .sequence = sequence_name((sequence_kind_t)kind),
+                           .is_extreme = kind == SEQUENCE_EXTREMES,
                            .params = &params,
                            .coeffs = &coeffs};
         sequence_t sequence;
-        sequence_start(&sequence, step.sequence, 1u + (uint32_t)kind);
+        sequence_start(&sequence, (sequence_kind_t)kind, 1u + (uint32_t)kind);
         epf_f32_t ep;
         epf_f32_init(&ep, &coeffs);
         for (step.index = 0; step.index < EFFORT_OF_WALK(samples); step.index++) {
@@ -100,17 +86,24 @@ static void walk_contact(const parameter_set_t *set, float sigma_1_factor, unsig
     }
 }
 
+/* Each contact by either rule and with either sigma_1 */
+static void walk_contacts(const parameter_set_t *sets, int count, unsigned samples,
+                          f32_visitor_t visit)
+{
+    for (int i = 0; i < count * 2 * UPDATE_RULES; i += EFFORT_CONTACTS_ONE_IN) {
+        const epf_update_t rule = (epf_update_t)(i % UPDATE_RULES);
+        const int contact = i / UPDATE_RULES;
+        walk_contact(&sets[contact / 2], rule, sigma_1_over_limit[contact % 2], samples, visit);
+    }
+}
+
 void f32_walk(unsigned samples, f32_visitor_t visit)
 {
-    for (int i = 0; i < PARAMETER_SETS * 2; i += EFFORT_CONTACTS_ONE_IN) {
-        walk_contact(&parameter_sets[i / 2], sigma_1_over_limit[i % 2], samples, visit);
-    }
+    walk_contacts(parameter_sets, PARAMETER_SETS, samples, visit);
 }
 
 void f32_walk_corners_too(unsigned samples, f32_visitor_t visit)
 {
     f32_walk(samples, visit);
-    for (int i = 0; i < CORNERS * 2; i += EFFORT_CONTACTS_ONE_IN) {
-        walk_contact(&corners[i / 2], sigma_1_over_limit[i % 2], samples, visit);
-    }
+    walk_contacts(corners, CORNERS, samples, visit);
 }

@@ -1,29 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Drives the float estimator through every sequence, for every contact, with sigma_1 well inside
- * and far outside of eq. (22), and shows each step to a visitor.
+ * Drives the float estimator through every sequence, for every contact, by either update rule, with
+ * sigma_1 well inside and far outside of eq. (22), and shows each step to a visitor.
  */
 #ifndef EPF_TESTS_F32_WALK_H
 #define EPF_TESTS_F32_WALK_H
 
-#include "epf/f32.h"
-#include "sequences.h"
-
-#include <stdbool.h>
-
-/* One step, in the direction-normalised form of the proofs: s = sgn dx, zeta = s z */
-typedef struct {
-    const char *contact;
-    sequence_kind_t sequence;
-    unsigned index;
-    const epf_params_t *params;
-    const epf_f32_coeffs_t *coeffs;
-    float dx, v, dt; /* what the estimator was given */
-    float z_before, z, force;
-    float s, d;              /* sgn dx, |dx| */
-    float zeta_before, zeta; /* s z_{k-1}, s z_k */
-    float z_ss;              /* |z_ss(v)| of this step */
-} f32_step_t;
+#include "f32_step.h"
 
 typedef void (*f32_visitor_t)(const f32_step_t *step);
 
@@ -36,8 +19,5 @@ void f32_walk_corners_too(unsigned samples, f32_visitor_t visit);
 
 /* A sample as the estimator takes it: giants become infinite, as they would in a user's program */
 float f32_from_double(double x);
-
-/* Fails the running test, naming the step, unless the condition holds */
-void f32_check(const f32_step_t *step, bool condition, const char *claim);
 
 #endif

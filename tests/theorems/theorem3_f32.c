@@ -3,6 +3,7 @@
 #include "effort.h"
 #include "f32_walk.h"
 #include "oracle.h"
+#include "sequences.h"
 #include "unity.h"
 
 #include <math.h>
@@ -18,7 +19,7 @@ void tearDown(void)
 static bool is_plastic(const f32_step_t *step)
 {
     return step->s != 0.0f &&
-           (step->zeta_before > step->coeffs->z_ba || step->zeta_before + step->d > step->z_ss);
+           (step->zeta_before > step->coeffs->z_ba || step->zeta > step->coeffs->z_ba);
 }
 
 /* dw has the direction of the motion (Lemma 2), so f must have it too */
@@ -38,7 +39,7 @@ static unsigned violations, guarded, steps_within_bound;
 
 static void count_violations_without_guard(const f32_step_t *step)
 {
-    if (is_plastic(step) && step->sequence != SEQUENCE_EXTREMES) {
+    if (is_plastic(step) && !step->is_extreme) {
         const double f = oracle_force(step->params, (double)step->z_before, (double)step->z,
                                       (double)step->dx, (double)step->v, (double)step->dt);
         violations += (double)step->s * f <= 0.0;
@@ -55,7 +56,7 @@ static void test_theorem3_fails_without_the_guard_far_outside_of_equation_22(voi
 static void force_is_as_printed_within_equation_22(const f32_step_t *step)
 {
     const double limit = (double)epf_sigma_1_limit(step->params, step->v, step->dt);
-    if (step->sequence == SEQUENCE_EXTREMES || (double)step->params->sigma_1 > 0.99 * limit) {
+    if (step->is_extreme || (double)step->params->sigma_1 > 0.99 * limit) {
         return;
     }
     const double printed = oracle_force(step->params, (double)step->z_before, (double)step->z,
@@ -81,10 +82,9 @@ static void test_theorem3_guard_changes_nothing_within_equation_22(void)
 }
 
 /* A contact whose f_max is 1.001 to 11 times f_c, and a sigma_1 at 0.998 of eq. (22) */
-static epf_params_t near_the_bound(sequence_t *q, float dt)
+static epf_params_t near_the_bound(sequence_t *q, epf_update_t rule, float dt)
 {
-    epf_params_t p = {
-        1e5f, 0.0f, 0.0f, 1.0f, 1.0f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
+    epf_params_t p = {1e5f, 0.0f, 0.0f, 1.0f, 1.0f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, rule};
     p.sigma_0 = (float)sequence_uniform(q, 1e3, 1e6);
     p.f_c = (float)sequence_uniform(q, 0.5, 2.0);
     const double excess = sequence_uniform(q, 0.0, 1.0);
@@ -94,22 +94,26 @@ static epf_params_t near_the_bound(sequence_t *q, float dt)
     return p;
 }
 
-/* From the largest deflection to the smallest z_ss, the worst that case 1 can do; by eq. (14) itself */
+/* From the largest deflection towards the smallest z_ss, and up to there, the worst that case 1 can do; by
+   eq. (14) itself */
 static void test_theorem3_guard_changes_nothing_up_to_0_998_of_the_bound(void)
 {
     sequence_t q;
     sequence_start(&q, SEQUENCE_RANDOM_WALK, 5);
     for (long i = 0; i < EFFORT(100000L); i++) {
         const float dt = 1e-3f;
-        const epf_params_t p = near_the_bound(&q, dt);
+        const epf_params_t p = near_the_bound(&q, (epf_update_t)(i % 2), dt);
         epf_f32_coeffs_t c;
         epf_f32_t ep;
         TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&c, &p));
         epf_f32_init(&ep, &c);
         epf_f32_reset(&ep, c.z_max);
-        const float force = epf_f32_step(&ep, 1e-9f, INFINITY, dt);
-        const float printed = c.sigma_0 * c.z_c + c.sigma_1 * (c.z_c - c.z_max) / dt;
-        TEST_ASSERT_TRUE(force == printed);
+        const float dx = c.z_max * (float)sequence_uniform(&q, 1e-3, 2.5);
+        const float force = epf_f32_step(&ep, dx, INFINITY, dt);
+        const float z = epf_f32_z(&ep);
+        TEST_ASSERT_TRUE(z == c.z_c || p.update == EPF_UPDATE_MEAN_VALUE);
+        TEST_ASSERT_TRUE(force == c.sigma_0 * z + c.sigma_1 * ep.dz / dt);
+        TEST_ASSERT_TRUE(fabsf(ep.dz - (z - c.z_max)) <= FLT_EPSILON * c.z_max);
     }
 }
 

@@ -2,6 +2,7 @@
 /* The contract of f32.h beyond the equations: bad input, contexts, constant coefficients, bytes. */
 #include "effort.h"
 #include "epf/epf.h"
+#include "f32_walk.h"
 #include "parameter_sets.h"
 #include "sequences.h"
 #include "unity.h"
@@ -12,16 +13,24 @@
 #include <xmmintrin.h>
 #endif
 
-#define TABLE_2 \
-    1e5f, 1e3f, 0.4f, 1.0f, 1.5f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
+#define TABLE_2(rule) 1e5f, 1e3f, 0.4f, 1.0f, 1.5f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, rule
 
-static const epf_f32_coeffs_t table_2 = EPF_F32_COEFFS(TABLE_2);
-static const epf_params_t table_2_params = {TABLE_2};
+static const struct {
+    epf_params_t params;
+    epf_f32_coeffs_t coeffs;
+} contacts[UPDATE_RULES] = {
+    {{TABLE_2(EPF_UPDATE_SATURATED)}, EPF_F32_COEFFS(TABLE_2(EPF_UPDATE_SATURATED))},
+    {{TABLE_2(EPF_UPDATE_MEAN_VALUE)}, EPF_F32_COEFFS(TABLE_2(EPF_UPDATE_MEAN_VALUE))},
+};
 
+/* All but the tests by hand are run by either rule */
+static epf_update_t rule;
+static epf_f32_coeffs_t table_2;
 static epf_f32_t ep;
 
 void setUp(void)
 {
+    table_2 = contacts[rule].coeffs;
     epf_f32_init(&ep, &table_2);
 }
 
@@ -32,7 +41,7 @@ void tearDown(void)
 static void test_coeffs_macro_equals_coeffs_init_bit_for_bit(void)
 {
     epf_f32_coeffs_t made;
-    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&made, &table_2_params));
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&made, &contacts[rule].params));
     TEST_ASSERT_TRUE(made.sigma_0 == table_2.sigma_0);
     TEST_ASSERT_TRUE(made.sigma_1 == table_2.sigma_1);
     TEST_ASSERT_TRUE(made.sigma_2 == table_2.sigma_2);
@@ -43,6 +52,8 @@ static void test_coeffs_macro_equals_coeffs_init_bit_for_bit(void)
     TEST_ASSERT_TRUE(made.z_c == table_2.z_c);
     TEST_ASSERT_TRUE(made.z_max == table_2.z_max);
     TEST_ASSERT_EQUAL_INT(made.stribeck, table_2.stribeck);
+    TEST_ASSERT_EQUAL_INT(made.update, rule);
+    TEST_ASSERT_EQUAL_INT(made.update, table_2.update);
 }
 
 static void test_coeffs_carry_the_values_of_table_2(void)
@@ -59,6 +70,13 @@ static void test_init_is_at_rest(void)
     TEST_ASSERT_TRUE(epf_f32_output(&ep) == 0.0f);
     TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
     TEST_ASSERT_TRUE(epf_f32_force(&ep, 1e-3f) == 0.0f);
+}
+
+/* A contact made of the fields of epf_params_t, on which a defect was found once */
+static void use(epf_f32_coeffs_t *coeffs, const epf_params_t *params)
+{
+    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(coeffs, params));
+    epf_f32_init(&ep, coeffs);
 }
 
 /* By hand, Table II: z 4e-6 m; 1e5 * 4e-6 = 0.4 N; 1e3 * 4e-6/1e-3 = 4 N; 0.4 * 2e-3 = 0.0008 N */
@@ -85,22 +103,88 @@ static void test_step_by_hand_through_case_1_is_guarded(void)
     TEST_ASSERT_FLOAT_WITHIN(1e-6f, 0.8512f, epf_f32_step(&ep, 1e-6f, 3e-3f, 1e-2f));
 }
 
-static void test_update_is_set_velocity_then_advance(void)
+/* By hand, the mean-value rule: as before, but over 4.2e-6 m, which is q = 0.4 of z_ss = 1.05e-5 m. With
+   v = 0.1, h = 1 - 0.1 (1 - 0.0625) = 0.90625, q h^2 = 0.328516 of the 2e-6 m above z_ss go: 6.57031e-7 m.
+   f = 1.184297 + 0.0012 - 0.0657031 N in 10 ms; in 0.1 ms the damping term is -6.57 N, and is limited */
+static void test_step_by_hand_through_case_1_lets_go_in_part(void)
 {
-    epf_f32_t other;
-    sequence_t q;
-    epf_f32_init(&other, &table_2);
-    sequence_start(&q, SEQUENCE_RANDOM_WALK, 3);
-    for (int i = 0; i < 1000; i++) {
-        const sample_t sample = sequence_next(&q);
-        const float dx = (float)sample.dx * table_2.z_max;
-        const float v = (float)sample.v * 1e-3f;
-        const float force = epf_f32_step(&ep, dx, v, 1e-3f);
-        epf_f32_set_velocity(&other, v);
-        TEST_ASSERT_TRUE(epf_f32_advance(&other, dx) == epf_f32_z(&ep));
-        TEST_ASSERT_TRUE(epf_f32_force(&other, 1e-3f) == force);
-        TEST_ASSERT_TRUE(epf_f32_output(&other) == force);
+    (void)epf_f32_step(&ep, 1e-3f, 1e-3f, 1e-2f);
+    TEST_ASSERT_FLOAT_WITHIN(1e-11f, 1.25e-5f, epf_f32_z(&ep));
+    TEST_ASSERT_FLOAT_WITHIN(2e-6f, 1.119794f, epf_f32_step(&ep, 4.2e-6f, 3e-3f, 1e-2f));
+    TEST_ASSERT_FLOAT_WITHIN(1e-11f, 1.1842969e-5f, epf_f32_z(&ep));
+    TEST_ASSERT_FLOAT_WITHIN(1e-8f, 1.185497f / 1024.0f, epf_f32_force(&ep, 1e-4f));
+}
+
+/*
+ * By hand, z_ss = 1 and z_ba = 1/2. From 3/4 over 1/4: u = 1/2, p = 1/8, w = 27/64, b = 0.870941, v = 0.148403,
+ * h^2 = 0.748851, so that (12) is taken at 1 - h^2/4 = 0.812787: alpha = 0.692175, y = 0.437409/4.
+ * From 1/4 over 1/2, of which half is elastic: u = 1, p = 1/8, w = 27/32, b = 1.163452, v = 0.146578,
+ * h^2 = 0.751429, taken at 1 - h^2/2 = 0.624286: alpha = 0.144861, y = 1/4 + 0.909565/4.
+ */
+static void test_advance_by_hand_with_the_mean_value_rule(void)
+{
+    const epf_params_t params = {1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 1e-3f, 0.5f, EPF_STRIBECK_LORENTZIAN,
+                                 rule};
+    epf_f32_coeffs_t coeffs;
+    use(&coeffs, &params);
+    for (int s = -1; s <= 1; s += 2) {
+        epf_f32_reset(&ep, 0.75f * (float)s);
+        TEST_ASSERT_FLOAT_WITHIN(2e-6f, (float)s * 0.859352f,
+                                 epf_f32_advance(&ep, 0.25f * (float)s));
+        epf_f32_reset(&ep, 0.25f * (float)s);
+        TEST_ASSERT_FLOAT_WITHIN(2e-6f, (float)s * 0.727391f,
+                                 epf_f32_advance(&ep, 0.5f * (float)s));
     }
+}
+
+/* Case 1 under the guard, left on the way to z_ss */
+static int is_guarded_on_the_way(void)
+{
+    const float s = (float)ep.direction, z_ss = ep.points[ep.published].z_ss;
+    return s * ep.dz < 0.0f && s * ep.z != z_ss &&
+           s * ep.force < 1.5f / 1024.0f * table_2.sigma_0 * s * ep.z;
+}
+
+static void same_bits(float a, float b)
+{
+    TEST_ASSERT_EQUAL_MEMORY(&a, &b, sizeof a);
+}
+
+static void same_state(const epf_f32_t *a, const epf_f32_t *b)
+{
+    same_bits(a->z, b->z);
+    same_bits(a->z_low, b->z_low);
+    same_bits(a->dz, b->dz);
+    same_bits(a->force, b->force);
+    TEST_ASSERT_EQUAL_INT(a->direction, b->direction);
+    TEST_ASSERT_EQUAL_UINT32(a->rejected, b->rejected);
+    TEST_ASSERT_EQUAL_MEMORY(&a->points[a->published], &b->points[b->published],
+                             sizeof a->points[0]);
+}
+
+static void test_step_has_the_bits_of_set_velocity_advance_and_force(void)
+{
+    int guarded_on_the_way = 0;
+    for (int kind = 0; kind < SEQUENCE_KINDS; kind++) {
+        epf_f32_t other;
+        sequence_t q;
+        setUp();
+        epf_f32_init(&other, &table_2);
+        sequence_start(&q, (sequence_kind_t)kind, 3);
+        for (long i = 0; i < EFFORT(20000L) + 100; i++) {
+            const sample_t sample = sequence_next(&q);
+            const float dx = f32_from_double(sample.dx * (double)table_2.z_max);
+            const float v = f32_from_double(sample.v * 1e-3);
+            const float force = epf_f32_step(&ep, dx, v, (float)sample.dt);
+            epf_f32_set_velocity(&other, v);
+            same_bits(epf_f32_z(&ep), epf_f32_advance(&other, dx));
+            same_bits(force, epf_f32_force(&other, (float)sample.dt));
+            same_bits(force, epf_f32_output(&other));
+            same_state(&ep, &other);
+            guarded_on_the_way += is_guarded_on_the_way();
+        }
+    }
+    TEST_ASSERT_TRUE((guarded_on_the_way > 0) == (rule == EPF_UPDATE_MEAN_VALUE));
 }
 
 static void test_reset_clamps_and_publishes_the_force_of_a_contact_at_rest(void)
@@ -181,19 +265,13 @@ static void test_bad_displacement_infinity_saturates(void)
     TEST_ASSERT_EQUAL_UINT32(0, ep.rejected);
 }
 
-/* A contact made of the fields of epf_params_t, on which a defect was found once */
-static void use(epf_f32_coeffs_t *coeffs, const epf_params_t *params)
-{
-    TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(coeffs, params));
-    epf_f32_init(&ep, coeffs);
-}
-
 /* A gap that is subnormal once had a share below 0, and infinity made NaN of it */
 static void test_leap_over_a_subnormal_gap_arrives(void)
 {
-    static const epf_f32_coeffs_t large = EPF_F32_COEFFS(
-        1, 0, 0, 1000, 1100, 1e-3f, 900, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED);
-    epf_f32_init(&ep, &large);
+    const epf_params_t large = {
+        1.0f, 0.0f, 0.0f, 1000.0f, 1100.0f, 1e-3f, 900.0f, EPF_STRIBECK_LORENTZIAN, rule};
+    epf_f32_coeffs_t coeffs;
+    use(&coeffs, &large);
     (void)epf_f32_step(&ep, INFINITY, 1e-3f, 1e-3f);
     (void)epf_f32_step(&ep, -5.26888e-43f, 1e-3f, 1e-3f);
     TEST_ASSERT_FLOAT_WITHIN(1e-3f, 1050.0f, epf_f32_step(&ep, INFINITY, 1e-3f, 1e-3f));
@@ -204,15 +282,8 @@ static void test_leap_over_a_subnormal_gap_arrives(void)
 static void test_leap_of_any_length_over_a_subnormal_gap_arrives(void)
 {
     static const float leaps[] = {4.5f, 10.0f, 1e38f, FLT_MAX, INFINITY};
-    const epf_params_t narrow = {1.0f,
-                                 0.0f,
-                                 0.0f,
-                                 2.25f,
-                                 2.25f,
-                                 1.0f,
-                                 2.25f - 1.0f / 3.0f,
-                                 EPF_STRIBECK_LORENTZIAN,
-                                 EPF_UPDATE_SATURATED};
+    const epf_params_t narrow = {
+        1.0f, 0.0f, 0.0f, 2.25f, 2.25f, 1.0f, 2.25f - 1.0f / 3.0f, EPF_STRIBECK_LORENTZIAN, rule};
     epf_f32_coeffs_t coeffs;
     for (int i = 0; i < 5; i++) {
         use(&coeffs, &narrow);
@@ -226,15 +297,8 @@ static void test_leap_of_any_length_over_a_subnormal_gap_arrives(void)
 /* By hand: elastic 1e-10 * 1e20 = 1e10 N; damping 1e30 * 1e20/1e25 = 1e25 N, though 1e50 is no float */
 static void test_force_damping_may_overflow_before_it_is_divided(void)
 {
-    const epf_params_t soft = {1e-10f,
-                               1e30f,
-                               0.0f,
-                               1e11f,
-                               1.1e11f,
-                               1e-3f,
-                               5e20f,
-                               EPF_STRIBECK_LORENTZIAN,
-                               EPF_UPDATE_SATURATED};
+    const epf_params_t soft = {
+        1e-10f, 1e30f, 0.0f, 1e11f, 1.1e11f, 1e-3f, 5e20f, EPF_STRIBECK_LORENTZIAN, rule};
     epf_f32_coeffs_t coeffs;
     use(&coeffs, &soft);
     (void)epf_f32_update(&ep, 1e20f, 0.0f);
@@ -248,7 +312,7 @@ static void test_force_damping_may_overflow_before_it_is_divided(void)
 static void test_force_is_odd_next_to_overflow(void)
 {
     const epf_params_t viscous = {
-        1.0f, 0.0f, 1e19f, 1.0f, 1.5f, 1e-3f, 0.5f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
+        1.0f, 0.0f, 1e19f, 1.0f, 1.5f, 1e-3f, 0.5f, EPF_STRIBECK_LORENTZIAN, rule};
     epf_f32_coeffs_t coeffs;
     epf_f32_t mirror;
     use(&coeffs, &viscous);
@@ -258,39 +322,30 @@ static void test_force_is_odd_next_to_overflow(void)
     TEST_ASSERT_TRUE(epf_f32_step(&mirror, -0.1f, -3e19f, FLT_MAX) == -force);
 }
 
-/* Sliding slower, then faster: the damping term, -1e40 N, is limited, whatever it is as a float */
+/* Sliding slower, then faster: the damping term is limited, whatever it is as a float: -1e40 N where all goes
+   that can, and by the mean-value rule -1e20 N over 1 m */
 static void test_force_guard_holds_where_damping_overflows(void)
 {
-    const epf_params_t soft = {1e-10f,
-                               1e30f,
-                               0.0f,
-                               1e11f,
-                               2e11f,
-                               1e-3f,
-                               5e20f,
-                               EPF_STRIBECK_LORENTZIAN,
-                               EPF_UPDATE_SATURATED};
+    const epf_params_t soft = {
+        1e-10f, 1e30f, 0.0f, 1e11f, 2e11f, 1e-3f, 5e20f, EPF_STRIBECK_LORENTZIAN, rule};
     epf_f32_coeffs_t coeffs;
     use(&coeffs, &soft);
     (void)epf_f32_step(&ep, INFINITY, 0.0f, 1.0f);
-    TEST_ASSERT_FLOAT_WITHIN(1e4f, 1e11f / 1024.0f, epf_f32_step(&ep, 1.0f, INFINITY, 1e10f));
-    TEST_ASSERT_FLOAT_WITHIN(1e4f, 1e11f / 1024.0f, epf_f32_force(&ep, 1e10f));
+    const float newtons = rule == EPF_UPDATE_SATURATED ? 1e11f : 2e11f; /* what is elastic then */
+    TEST_ASSERT_FLOAT_WITHIN(1e4f, newtons / 1024.0f, epf_f32_step(&ep, 1.0f, INFINITY, 1e10f));
+    TEST_ASSERT_FLOAT_WITHIN(1e4f, newtons / 1024.0f, epf_f32_force(&ep, 1e10f));
+    (void)epf_f32_step(&ep, INFINITY, 0.0f, 1.0f);
+    TEST_ASSERT_FLOAT_WITHIN(1e4f, 1e11f / 1024.0f, epf_f32_step(&ep, INFINITY, INFINITY, 1e10f));
 }
 
 /* Theorem 3 with nothing but the elastic term, and with the smallest force of which 2^-10 is a float */
 static void test_force_opposes_the_motion_where_all_other_terms_are_0(void)
 {
-    const epf_params_t bare = {
-        1e5f, 0.0f, 0.0f, 1.0f, 1.5f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
-    epf_params_t faint = {1.0f,
-                          FLT_MAX,
-                          0.0f,
-                          4.0f * FLT_MIN,
-                          8.0f * FLT_MIN,
-                          1e-3f,
-                          FLT_MIN,
-                          EPF_STRIBECK_COULOMB,
-                          EPF_UPDATE_SATURATED};
+    const epf_params_t bare = {1e5f, 0.0f, 0.0f, 1.0f, 1.5f, 1e-3f, 8e-6f, EPF_STRIBECK_LORENTZIAN,
+                               rule};
+    epf_params_t faint = {
+        1.0f, FLT_MAX, 0.0f, 4.0f * FLT_MIN, 8.0f * FLT_MIN, 1e-3f, FLT_MIN, EPF_STRIBECK_COULOMB,
+        rule};
     epf_f32_coeffs_t coeffs;
     for (int s = -1; s <= 1; s += 2) {
         use(&coeffs, &bare);
@@ -336,15 +391,8 @@ static void test_bad_time_removes_the_damping_term_and_is_counted(void)
 /* Everything at its worst at once: the largest coefficients and inputs that are accepted */
 static void test_bad_input_force_saturates_and_stays_finite(void)
 {
-    static const epf_params_t giant = {1e36f,
-                                       FLT_MAX,
-                                       FLT_MAX,
-                                       1e37f,
-                                       2e37f,
-                                       FLT_MIN,
-                                       1.0f,
-                                       EPF_STRIBECK_GAUSSIAN,
-                                       EPF_UPDATE_SATURATED};
+    const epf_params_t giant = {
+        1e36f, FLT_MAX, FLT_MAX, 1e37f, 2e37f, FLT_MIN, 1.0f, EPF_STRIBECK_GAUSSIAN, rule};
     static const float values[] = {0.0f, 1e-45f, FLT_MIN, 1.0f, 15.0f, FLT_MAX, INFINITY};
     epf_f32_coeffs_t coeffs;
     TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&coeffs, &giant));
@@ -408,8 +456,8 @@ static float slid(const epf_params_t *p, int in_one_call)
 /* A contact knows no length but its own: one whose z_ss^2 overflows or vanishes does as a usual one */
 static void test_range_contacts_of_any_size_move_alike(void)
 {
-    epf_params_t usual = {
-        1e5f, 0.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 5e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED};
+    epf_params_t usual = {1e5f, 0.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 5e-6f, EPF_STRIBECK_LORENTZIAN,
+                          rule};
     epf_params_t small = usual, large = usual;
     small.f_c = large.f_c = 1e10f;
     small.f_max = large.f_max = 1.1e10f;
@@ -428,15 +476,8 @@ static void test_range_contacts_of_any_size_move_alike(void)
 /* Numbers with which z_c + (z_max - z_c) is rounded up */
 static void test_coeffs_z_max_is_the_sum_that_z_ss_is_and_not_above(void)
 {
-    const epf_params_t p = {1.0f,
-                            0.0f,
-                            0.0f,
-                            1.93080974f,
-                            7.49889708f,
-                            1e-3f,
-                            1.0f,
-                            EPF_STRIBECK_LORENTZIAN,
-                            EPF_UPDATE_SATURATED};
+    const epf_params_t p = {
+        1.0f, 0.0f, 0.0f, 1.93080974f, 7.49889708f, 1e-3f, 1.0f, EPF_STRIBECK_LORENTZIAN, rule};
     epf_f32_coeffs_t c;
     TEST_ASSERT_EQUAL_INT(EPF_OK, epf_f32_coeffs_init(&c, &p));
     TEST_ASSERT_TRUE(c.z_c + c.z_excess == c.z_max);
@@ -469,15 +510,15 @@ static uint32_t exponent_and_mantissa(float x)
 /* The bounds are those of the bits, for comparisons are flushed as well */
 static void test_flush_to_zero_promises_hold_for_any_bits(void)
 {
-    static const epf_params_t small = {1.0f,
-                                       1e-3f,
-                                       1e-3f,
-                                       3.0f * FLT_MIN,
-                                       3.1f * FLT_MIN,
-                                       1e-3f,
-                                       2.0f * FLT_MIN,
-                                       EPF_STRIBECK_LORENTZIAN,
-                                       EPF_UPDATE_SATURATED};
+    const epf_params_t small = {1.0f,
+                                1e-3f,
+                                1e-3f,
+                                3.0f * FLT_MIN,
+                                3.1f * FLT_MIN,
+                                1e-3f,
+                                2.0f * FLT_MIN,
+                                EPF_STRIBECK_LORENTZIAN,
+                                rule};
     epf_f32_coeffs_t coeffs;
     sequence_t q;
     sequence_start(&q, SEQUENCE_EXTREMES, 23);
@@ -565,15 +606,14 @@ static void test_largest_stribeck_velocity_has_a_reciprocal_on_every_core(void)
     TEST_ASSERT_FLOAT_WITHIN(1e-6f, p.f_c, epf_f32_fss(&c, INFINITY));
 }
 
-int main(void)
+static void run_by(epf_update_t its_rule)
 {
-    UNITY_BEGIN();
+    rule = its_rule;
     RUN_TEST(test_coeffs_macro_equals_coeffs_init_bit_for_bit);
     RUN_TEST(test_coeffs_carry_the_values_of_table_2);
     RUN_TEST(test_init_is_at_rest);
     RUN_TEST(test_step_by_hand_in_the_elastic_regime);
-    RUN_TEST(test_step_by_hand_through_case_1_is_guarded);
-    RUN_TEST(test_update_is_set_velocity_then_advance);
+    RUN_TEST(test_step_has_the_bits_of_set_velocity_advance_and_force);
     RUN_TEST(test_reset_clamps_and_publishes_the_force_of_a_contact_at_rest);
     RUN_TEST(test_reset_leaves_nothing_of_the_past);
     RUN_TEST(test_reset_publishes_sigma_0_z);
@@ -601,5 +641,15 @@ int main(void)
     RUN_TEST(test_contexts_estimators_share_constant_coefficients);
     RUN_TEST(test_footprint_is_at_most_64_bytes_per_estimator);
     RUN_TEST(test_largest_stribeck_velocity_has_a_reciprocal_on_every_core);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    run_by(EPF_UPDATE_SATURATED);
+    RUN_TEST(test_step_by_hand_through_case_1_is_guarded);
+    run_by(EPF_UPDATE_MEAN_VALUE);
+    RUN_TEST(test_step_by_hand_through_case_1_lets_go_in_part);
+    RUN_TEST(test_advance_by_hand_with_the_mean_value_rule);
     return UNITY_END() != 0;
 }
