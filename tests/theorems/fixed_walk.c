@@ -72,11 +72,13 @@ void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
                         const epf_params_t *params, const epf_lsb_t *lsb, unsigned samples,
                         fixed_visitor_t visit)
 {
-    any_coeffs_t coeffs;
-    fixed_step_t step = {.variant = variant, .contact = contact, .params = params, .lsb = lsb};
-    start(&step, &coeffs);
-    for (int kind = 0; kind < SEQUENCE_KINDS; kind++) {
-        walk_sequence(&step, (sequence_kind_t)kind, EFFORT_OF_WALK(samples), visit);
+    epf_params_t by_rule = *params;
+    fixed_step_t step = {.variant = variant, .contact = contact, .params = &by_rule, .lsb = lsb};
+    for (int i = 0; i < UPDATE_RULES * SEQUENCE_KINDS; i++) {
+        any_coeffs_t coeffs;
+        by_rule.update = (epf_update_t)(i / SEQUENCE_KINDS);
+        start(&step, &coeffs);
+        walk_sequence(&step, (sequence_kind_t)(i % SEQUENCE_KINDS), EFFORT_OF_WALK(samples), visit);
     }
 }
 
@@ -111,18 +113,20 @@ void fixed_walk(unsigned samples, fixed_visitor_t visit)
 }
 
 /* Each corner takes its turn at the sequences */
-static void walk_corner(const fixed_variant_t *variant, int i, unsigned samples,
-                        fixed_visitor_t visit)
+static void walk_corner(int way, int i, unsigned samples, fixed_visitor_t visit)
 {
     fixed_corner_t corner;
     if (!fixed_corner(i, &corner)) {
         return;
     }
+    corner.params.update = fixed_way_rule(way);
     static char name[24];
     (void)snprintf(name, sizeof name, "corner %d", i);
     any_coeffs_t coeffs;
-    fixed_step_t step = {
-        .variant = variant, .contact = name, .params = &corner.params, .lsb = &corner.lsb};
+    fixed_step_t step = {.variant = fixed_way_variant(way),
+                         .contact = name,
+                         .params = &corner.params,
+                         .lsb = &corner.lsb};
     start(&step, &coeffs);
     TEST_ASSERT_EQUAL_INT_MESSAGE(corner.z_shift, step.lengths.z_shift, name);
     walk_sequence(&step, (sequence_kind_t)(i % SEQUENCE_KINDS), samples, visit);
@@ -130,9 +134,10 @@ static void walk_corner(const fixed_variant_t *variant, int i, unsigned samples,
 
 void fixed_walk_corners(unsigned samples, fixed_visitor_t visit)
 {
-    for (int i = 0; i < FIXED_VARIANTS; i++) {
-        for (int j = 0; j < FIXED_CORNERS; j += EPF_TEST_ONE_IN) {
-            walk_corner(fixed_variants[i], j, samples, visit);
+    for (int way = 0; way < FIXED_WAYS; way++) {
+        /* odd, so that no corner is left out by the stride alone */
+        for (int i = 0; i < FIXED_CORNERS; i += EPF_TEST_ONE_IN | 1) {
+            walk_corner(way, i, samples, visit);
         }
     }
 }
