@@ -23,7 +23,8 @@ void tearDown(void)
 static void holds(fixed_visitor_t property)
 {
     fixed_walk(2000, property);
-    fixed_walk_corners(40, property);
+    fixed_walk_corners(20, property);
+    fixed_scatter(20, property);
 }
 
 /* ---- of one step ---------------------------------------------------------------------------- */
