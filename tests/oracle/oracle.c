@@ -115,6 +115,12 @@ double oracle_mean_value(const epf_params_t *p, double z, double dx, double v)
                           : mean_value_above(zeta, d, zs));
 }
 
+double oracle_by_rule(const epf_params_t *p, double z, double dx, double v)
+{
+    return p->update == EPF_UPDATE_SATURATED ? oracle_update(p, z, dx, v)
+                                             : oracle_mean_value(p, z, dx, v);
+}
+
 double oracle_force(const epf_params_t *p, double z_before, double z, double dx, double v,
                     double dt)
 {

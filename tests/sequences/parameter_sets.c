@@ -18,3 +18,10 @@ const parameter_set_t parameter_sets[PARAMETER_SETS] = {
     {"z_ba close to z_c", {1e5f, 63.0f, 5.0f, 1.0f, 1.2f, 1e-4f, 9.99e-6f, LORENTZIAN, SATURATED}},
     {"f_max = 10 f_c", {5e4f, 20.0f, 0.1f, 0.2f, 2.0f, 5e-3f, 2e-6f, LORENTZIAN, SATURATED}},
 };
+
+epf_params_t parameters_by(epf_update_t rule, const parameter_set_t *set)
+{
+    epf_params_t params = set->params;
+    params.update = rule;
+    return params;
+}

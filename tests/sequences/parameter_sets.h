@@ -14,4 +14,9 @@ enum { PARAMETER_SETS = 9 };
 
 extern const parameter_set_t parameter_sets[PARAMETER_SETS];
 
+enum { UPDATE_RULES = 2 };
+
+/* The parameters of a contact, but for the update rule */
+epf_params_t parameters_by(epf_update_t rule, const parameter_set_t *set);
+
 #endif

@@ -9,6 +9,8 @@
 #include "epf/q15.h"
 #include "epf/q31.h"
 
+#include "../sequences/parameter_sets.h" /* UPDATE_RULES */
+
 #include <stdbool.h>
 
 /* Coefficients and a contact of either type: a variant uses its own member */
@@ -28,8 +30,6 @@ typedef struct {
     uint32_t unit, leap;
     int z_shift;
 } fixed_lengths_t;
-
-enum { UPDATE_RULES = 2 };
 
 typedef struct {
     const char *name;

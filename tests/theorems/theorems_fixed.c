@@ -131,8 +131,7 @@ static void reaches_steady_state(int way, const parameter_set_t *set, float coun
                                  int32_t dx, int32_t v)
 {
     const fixed_variant_t *variant = fixed_way_variant(way);
-    epf_params_t params = set->params;
-    params.update = fixed_way_rule(way);
+    const epf_params_t params = parameters_by(fixed_way_rule(way), set);
     const epf_lsb_t lsb = {params.z_ba / counts_in_z_ba, params.v_s / 150.0f, params.f_max / 2e4f,
                            1e-5f};
     any_coeffs_t coeffs;
@@ -275,15 +274,14 @@ static void comes_no_less_far(int way, const any_coeffs_t *coeffs, int32_t z, in
     TEST_ASSERT_EQUAL_INT32(z_ss, variant->advance(&ep, (int32_t)leap));
 }
 
-static void comes_no_less_far_from_anywhere(int way, const epf_params_t *params, float counts)
+static void comes_no_less_far_from_anywhere(int way, const parameter_set_t *set, float counts)
 {
     const fixed_variant_t *variant = fixed_way_variant(way);
-    epf_params_t by_rule = *params;
-    by_rule.update = fixed_way_rule(way);
-    const epf_lsb_t lsb = {params->f_max / params->sigma_0 / counts, params->v_s / 150.0f,
-                           params->f_max / 2e4f, 1e-5f};
+    const epf_params_t params = parameters_by(fixed_way_rule(way), set);
+    const epf_lsb_t lsb = {params.f_max / params.sigma_0 / counts, params.v_s / 150.0f,
+                           params.f_max / 2e4f, 1e-5f};
     any_coeffs_t coeffs;
-    if (variant->coeffs_init(&coeffs, &by_rule, &lsb) != EPF_OK) {
+    if (variant->coeffs_init(&coeffs, &params, &lsb) != EPF_OK) {
         return; /* z_ba is below one count */
     }
     const fixed_lengths_t c = variant->lengths(&coeffs);
@@ -296,8 +294,8 @@ static void test_longer_displacement_comes_no_less_far_up_to_2_z_max_which_arriv
 {
     for (int way = 0; way < FIXED_WAYS; way++) {
         for (int set = 0; set < PARAMETER_SETS; set++) {
-            comes_no_less_far_from_anywhere(way, &parameter_sets[set].params, 300.0f);
-            comes_no_less_far_from_anywhere(way, &parameter_sets[set].params, 16000.0f);
+            comes_no_less_far_from_anywhere(way, &parameter_sets[set], 300.0f);
+            comes_no_less_far_from_anywhere(way, &parameter_sets[set], 16000.0f);
         }
     }
 }
@@ -340,8 +338,7 @@ static void test_drift_tremor_returns_exactly(void)
     const long cycles = EFFORT_SQUARED(5000000L);
     for (int way = 0; way < FIXED_WAYS; way++) {
         const fixed_variant_t *variant = fixed_way_variant(way);
-        epf_params_t params = parameter_sets[way].params;
-        params.update = fixed_way_rule(way);
+        const epf_params_t params = parameters_by(fixed_way_rule(way), &parameter_sets[way]);
         const epf_lsb_t lsb = {params.z_ba / 40.0f, params.v_s / 150.0f, params.f_max / 2e4f,
                                1e-5f};
         any_coeffs_t coeffs;

@@ -48,10 +48,7 @@ static double error_of(const fixed_step_t *step, const epf_params_t *params)
     const double z = (double)step->z_before * unit;
     const double dx = (double)step->dx * (double)step->lsb->x;
     const double v = (double)step->v * (double)step->lsb->v;
-    const double expected = params->update == EPF_UPDATE_SATURATED
-                                ? oracle_update(params, z, dx, v)
-                                : oracle_mean_value(params, z, dx, v);
-    return fabs((double)step->z * unit - expected) /
+    return fabs((double)step->z * unit - oracle_by_rule(params, z, dx, v)) /
            (double)(step->params->f_max / step->params->sigma_0);
 }
 
@@ -227,8 +224,7 @@ enum { PLACES = 200 };
 static double rms_off_the_continuous_model(int way, double spans)
 {
     const fixed_variant_t *variant = fixed_way_variant(way);
-    epf_params_t params = parameter_sets[1].params;
-    params.update = fixed_way_rule(way);
+    const epf_params_t params = parameters_by(fixed_way_rule(way), &parameter_sets[1]);
     const epf_lsb_t lsb = {1e-9f, params.v_s / 100.0f, 1e-4f, 1e-5f};
     any_coeffs_t coeffs;
     any_contact_t ep;
