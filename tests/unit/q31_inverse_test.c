@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The reciprocals of q31 are never so large that what they divide reaches 1, which would wrap to 0. */
+/* The reciprocals of q31 are never so large that what they divide reaches 1, which would wrap to 0; nor
+   does anything in the mean-value rule. */
 #include "../../src/q31.c" /* NOLINT(bugprone-suspicious-include) */
 
 #include "effort.h"
 #include "integers.h"
+#include "mean_value_in_double.h"
 #include "unity.h"
-
-#include <stdbool.h>
 
 #define SMALLEST UINT32_C(2147483648)
 #define ONE_Q62  ((uint64_t)1 << 62)
@@ -76,6 +76,51 @@ static void test_shares_of_an_operating_point_do_not_wrap_where_they_are_next_to
     }
 }
 
+/* ---- the mean-value rule --------------------------------------------------------------------- */
+
+/* Of every length, from 1 to bound */
+static int32_t of_every_length(uint32_t *random, int32_t bound)
+{
+    return (int32_t)(1u + (random_below(random, (uint32_t)bound) >> random_below(random, 31)));
+}
+
+static bool mean_share_is_close(int32_t z_ss, int32_t span, int32_t gap, int32_t d)
+{
+    const coeffs_t c = {.z_max = z_ss, .z_ba = z_ss - span};
+    point_t point;
+    prepare(&c, z_ss, 0, &point);
+    const double u = (double)gap / span;
+    const double p = fmin((double)d / 4.0 / span, 0.625);
+    const double w = mean_share(&point, span, gap, d) / 4294967296.0;
+    return w <= u && fabs(w - share_in_double(u, p, (double)span / z_ss)) < 1e-6 + 8.0 / span;
+}
+
+static void test_mean_share_is_close_and_does_not_wrap_for_steps_of_every_length(void)
+{
+    uint32_t random = 1;
+    for (long i = 0; i < EFFORT(1000000L); i++) {
+        const int32_t z_ss = (int32_t)(2u + random_below(&random, 1073741822u));
+        const int32_t span = of_every_length(&random, z_ss - 1);
+        const int32_t gap = i % 8 == 0 ? span : of_every_length(&random, span);
+        TEST_ASSERT_TRUE(
+            mean_share_is_close(z_ss, span, gap, of_every_length(&random, 2147483646)));
+        TEST_ASSERT_TRUE(mean_share_is_close(z_ss, span, gap, 2147483647));
+        TEST_ASSERT_TRUE(mean_share_is_close(z_ss, z_ss - 1, z_ss - 1, 2147483647));
+    }
+}
+
+static void test_excess_let_go_is_close_up_to_a_displacement_of_4_z_ss(void)
+{
+    uint32_t random = 1;
+    for (long i = 0; i < EFFORT(1000000L); i++) {
+        const int32_t z_ss = of_every_length(&random, 536870910);
+        const int32_t excess = of_every_length(&random, 536870911);
+        const int32_t most = 4 * z_ss - 1;
+        TEST_ASSERT_TRUE(let_go_is_close(z_ss, excess, of_every_length(&random, most), 1e-6));
+        TEST_ASSERT_TRUE(let_go_is_close(z_ss, excess, most, 1e-6));
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -83,5 +128,7 @@ int main(void)
     RUN_TEST(test_inverse_is_from_below_and_close_at_both_ends);
     RUN_TEST(test_shares_of_an_operating_point_are_below_1_and_close);
     RUN_TEST(test_shares_of_an_operating_point_do_not_wrap_where_they_are_next_to_1);
+    RUN_TEST(test_mean_share_is_close_and_does_not_wrap_for_steps_of_every_length);
+    RUN_TEST(test_excess_let_go_is_close_up_to_a_displacement_of_4_z_ss);
     return UNITY_END() != 0;
 }
