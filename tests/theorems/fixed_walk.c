@@ -75,11 +75,13 @@ void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
 {
     epf_params_t by_rule = *params;
     fixed_step_t step = {.variant = variant, .contact = contact, .params = &by_rule, .lsb = lsb};
-    for (int i = 0; i < UPDATE_RULES * SEQUENCE_KINDS; i++) {
+    for (int rule = 0; rule < UPDATE_RULES; rule++) {
         any_coeffs_t coeffs;
-        by_rule.update = (epf_update_t)(i / SEQUENCE_KINDS);
+        by_rule.update = (epf_update_t)rule;
         start(&step, &coeffs);
-        walk_sequence(&step, (sequence_kind_t)(i % SEQUENCE_KINDS), EFFORT_OF_WALK(samples), visit);
+        for (int kind = 0; kind < SEQUENCE_KINDS; kind++) {
+            walk_sequence(&step, (sequence_kind_t)kind, EFFORT_OF_WALK(samples), visit);
+        }
     }
 }
 
