@@ -10,7 +10,7 @@
 #define CHECKSUM_Q31 0xc01dfefdu
 #define CHECKSUM_Q15 0xea9ad924u
 
-#define CHECKSUM_Q31_MEAN_VALUE 0x9dddcedau
-#define CHECKSUM_Q15_MEAN_VALUE 0xadbff81bu
+#define CHECKSUM_Q31_MEAN_VALUE 0x68535948u
+#define CHECKSUM_Q15_MEAN_VALUE 0x2ba12fa7u
 
 #endif

@@ -11,6 +11,8 @@
 #define SMALLEST UINT32_C(2147483648)
 #define ONE_Q62  ((uint64_t)1 << 62)
 
+#define FIVE_EIGHTHS UINT32_C(2684354560)
+
 void setUp(void)
 {
 }
@@ -41,7 +43,8 @@ static void test_inverse_is_from_below_and_close_at_both_ends(void)
     }
 }
 
-/* The largest gap has a share below 1, which would wrap to 0; and the shares are within 2^-22 */
+/* The largest gap has a share below 1, which would wrap to 0, and 5/8 of the span one of at most that; and
+   the shares are within 2^-22 */
 static bool shares_are_below_1_and_close(int32_t z_ss, int32_t span)
 {
     const coeffs_t c = {.z_max = z_ss, .z_ba = z_ss - span};
@@ -50,7 +53,8 @@ static bool shares_are_below_1_and_close(int32_t z_ss, int32_t span)
     const uint64_t last = (uint64_t)((uint32_t)(span - 1) << point.span_zeros) * point.span_inverse;
     const uint64_t whole = (uint64_t)((uint32_t)span << point.span_zeros) * point.span_inverse;
     const uint64_t share = ((uint64_t)span << 32) / (uint32_t)z_ss;
-    return last < ONE_Q62 && whole > ONE_Q62 - (ONE_Q62 >> 22) && point.span_share <= share + 8u &&
+    return last < ONE_Q62 && share_of_span(&point, (uint32_t)span / 8u * 5u) <= FIVE_EIGHTHS &&
+           whole > ONE_Q62 - (ONE_Q62 >> 22) && point.span_share <= share + 8u &&
            share < point.span_share + (uint64_t)1024;
 }
 
@@ -84,28 +88,25 @@ static int32_t of_every_length(uint32_t *random, int32_t bound)
     return (int32_t)(1u + (random_below(random, (uint32_t)bound) >> random_below(random, 31)));
 }
 
-static bool mean_share_is_close(int32_t z_ss, int32_t span, int32_t gap, int32_t d)
+/* 2^32 is 1. Of p, the share of a quarter of d, none is above 5/8: test_shares_of_an_operating_point */
+static bool mean_share_is_close(uint32_t u, uint32_t p, uint32_t r)
 {
-    const coeffs_t c = {.z_max = z_ss, .z_ba = z_ss - span};
-    point_t point;
-    prepare(&c, z_ss, 0, &point);
-    const double u = (double)gap / span;
-    const double p = fmin((double)d / 4.0 / span, 0.625);
-    const double w = mean_share(&point, span, gap, d) / 4294967296.0;
-    return w <= u && fabs(w - share_in_double(u, p, (double)span / z_ss)) < 1e-6 + 8.0 / span;
+    static const double one = 4294967296.0;
+    const uint32_t w = mean_share(u, p, r);
+    return w <= u && fabs(w / one - share_in_double(u / one, p / one, r / one)) < 1e-8;
 }
 
-static void test_mean_share_is_close_and_does_not_wrap_for_steps_of_every_length(void)
+static void test_mean_share_is_close_and_does_not_wrap_for_fractions_of_every_length(void)
 {
     uint32_t random = 1;
     for (long i = 0; i < EFFORT(1000000L); i++) {
-        const int32_t z_ss = (int32_t)(2u + random_below(&random, 1073741822u));
-        const int32_t span = of_every_length(&random, z_ss - 1);
-        const int32_t gap = i % 8 == 0 ? span : of_every_length(&random, span);
-        TEST_ASSERT_TRUE(
-            mean_share_is_close(z_ss, span, gap, of_every_length(&random, 2147483646)));
-        TEST_ASSERT_TRUE(mean_share_is_close(z_ss, span, gap, 2147483647));
-        TEST_ASSERT_TRUE(mean_share_is_close(z_ss, z_ss - 1, z_ss - 1, 2147483647));
+        const uint32_t u = random_word(&random) >> random_below(&random, 32);
+        const uint32_t p = random_below(&random, FIVE_EIGHTHS) >> random_below(&random, 32);
+        const uint32_t r = random_word(&random) >> random_below(&random, 32);
+        TEST_ASSERT_TRUE(mean_share_is_close(u, p, r));
+        TEST_ASSERT_TRUE(mean_share_is_close(ONE - u, FIVE_EIGHTHS - p, ONE - r));
+        TEST_ASSERT_TRUE(mean_share_is_close(u, FIVE_EIGHTHS, ONE - r));
+        TEST_ASSERT_TRUE(mean_share_is_close(ONE, p, ONE));
     }
 }
 
@@ -128,7 +129,7 @@ int main(void)
     RUN_TEST(test_inverse_is_from_below_and_close_at_both_ends);
     RUN_TEST(test_shares_of_an_operating_point_are_below_1_and_close);
     RUN_TEST(test_shares_of_an_operating_point_do_not_wrap_where_they_are_next_to_1);
-    RUN_TEST(test_mean_share_is_close_and_does_not_wrap_for_steps_of_every_length);
+    RUN_TEST(test_mean_share_is_close_and_does_not_wrap_for_fractions_of_every_length);
     RUN_TEST(test_excess_let_go_is_close_up_to_a_displacement_of_4_z_ss);
     return UNITY_END() != 0;
 }
