@@ -12,4 +12,7 @@
 #define CHECKSUM_Q31 0xc01dfefdu
 #define CHECKSUM_Q15 0xea9ad924u
 
+#define CHECKSUM_Q31_MEAN_VALUE 0x68535948u
+#define CHECKSUM_Q15_MEAN_VALUE 0x2ba12fa7u
+
 #endif

@@ -17,8 +17,8 @@ typedef struct {
     int32_t largest; /* that dx, v and dt are given */
     const fixed_contact_t *contacts;
     int count;
-    const char *name; /* of the checksum */
-    uint32_t checksum;
+    const char *names[UPDATE_RULES]; /* of the checksums */
+    uint32_t checksums[UPDATE_RULES];
     uint32_t (*add_gains)(uint32_t checksum, const any_coeffs_t *); /* what differs by type */
 } fixed_bits_t;
 

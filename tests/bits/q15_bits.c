@@ -30,7 +30,7 @@ const fixed_bits_t fixed_bits = {
     .largest = INT16_MAX,
     .contacts = contacts,
     .count = sizeof contacts / sizeof contacts[0],
-    .name = "CHECKSUM_Q15",
-    .checksum = CHECKSUM_Q15,
+    .names = {"CHECKSUM_Q15", "CHECKSUM_Q15_MEAN_VALUE"},
+    .checksums = {CHECKSUM_Q15, CHECKSUM_Q15_MEAN_VALUE},
     .add_gains = add_gains,
 };

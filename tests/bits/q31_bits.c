@@ -33,7 +33,7 @@ const fixed_bits_t fixed_bits = {
     .largest = INT32_MAX,
     .contacts = contacts,
     .count = sizeof contacts / sizeof contacts[0],
-    .name = "CHECKSUM_Q31",
-    .checksum = CHECKSUM_Q31,
+    .names = {"CHECKSUM_Q31", "CHECKSUM_Q31_MEAN_VALUE"},
+    .checksums = {CHECKSUM_Q31, CHECKSUM_Q31_MEAN_VALUE},
     .add_gains = add_gains,
 };

@@ -122,7 +122,7 @@ static void choose(bytes_t *bytes, epf_params_t *p, epf_lsb_t *lsb)
     p->v_s = or_any(bytes, magnitude(bytes, -60, 60));
     p->z_ba = or_any(bytes, share_of(bytes, p->f_c / p->sigma_0));
     p->stribeck = (epf_stribeck_t)(byte(bytes) % 3);
-    p->update = EPF_UPDATE_SATURATED;
+    p->update = (epf_update_t)(byte(bytes) % 2);
     lsb->x = or_any(bytes, count_of(bytes, p->f_max / p->sigma_0, p->z_ba));
     lsb->v = or_any(bytes, p->v_s * magnitude(bytes, -33, 23));
     lsb->f = or_any(bytes, p->f_max / magnitude(bytes, 0, byte(bytes) % 2 ? 14 : 30));

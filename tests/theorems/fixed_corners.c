@@ -8,9 +8,9 @@
 static const float elastic_shares[] = {1e-9f,  0.01f,  0.5f,    0.9f,
                                        0.985f, 0.999f, 0.9999f, 0.999999f};
 /* f_max/f_c */
-static const float excesses[] = {1.0f, 1.0000001f, 1.001f, 1.1f, 2.0f, 50.0f, 1e6f};
+static const float excesses[] = {1.0f, 1.0000001f, 1.001f, 1.1f, 2.0f, 10.0f, 1e3f, 1e6f};
 
-enum { SHARES = 8, EXCESSES = 7, FORMS = 3, Z_SHIFT_LARGEST = 29 };
+enum { SHARES = 8, EXCESSES = 8, FORMS = 3, Z_SHIFT_LARGEST = 29 };
 
 static float power_of_two(int n)
 {

@@ -16,7 +16,7 @@ typedef struct {
     int z_shift;   /* that it leads to */
 } fixed_corner_t;
 
-enum { FIXED_CORNERS = 8 * 7 * 3 * 30 };
+enum { FIXED_CORNERS = 8 * 8 * 3 * 30 };
 
 /* False where z_ba would be below one count of displacement, or be z_c in u */
 bool fixed_corner(int i, fixed_corner_t *corner);

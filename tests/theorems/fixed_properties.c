@@ -18,11 +18,7 @@ void state_is_bounded(const fixed_step_t *step)
     const fixed_lengths_t *c = &step->lengths;
     fixed_check(step, step->z <= c->z_max && step->z >= -c->z_max, "|z| <= z_max");
     fixed_check(step, step->z_ss >= c->z_c && step->z_ss <= c->z_max, "z_c <= z_ss <= z_max");
-    if (step->s == 0) {
-        fixed_check(step, step->z == step->z_before, "dx = 0 changes nothing");
-    } else {
-        fixed_check(step, step->zeta <= step->z_ss, "zeta' <= z_ss(v)");
-    }
+    fixed_check(step, step->s != 0 || step->z == step->z_before, "dx = 0 changes nothing");
 }
 
 void deflects_by_part_of_the_displacement(const fixed_step_t *step)
@@ -45,8 +41,22 @@ void plastic_displacement_follows_the_motion(const fixed_step_t *step)
 
 void elastic_displacement_is_all_deflection(const fixed_step_t *step)
 {
-    if (step->s != 0 && step->zeta_before + step->d <= step->lengths.z_ba) {
-        fixed_check(step, step->zeta == step->zeta_before + step->d, "z' = z + (dx << z_shift)");
+    const int64_t elastic = step->zeta_before + step->d;
+    if (step->s != 0 && elastic <= step->lengths.z_ba) {
+        fixed_check(step, step->zeta == elastic, "z' = z + (dx << z_shift)");
+    } else if (step->s != 0) {
+        fixed_check(step, step->zeta > step->lengths.z_ba, "what is not all elastic passes z_ba");
+    }
+}
+
+void approaches_steady_state_from_above(const fixed_step_t *step)
+{
+    if (step->s != 0 && step->zeta_before >= step->z_ss) {
+        fixed_check(step, step->zeta >= step->z_ss, "zeta' >= z_ss, whence zeta was");
+        fixed_check(step, step->zeta < step->zeta_before || step->zeta == step->z_ss,
+                    "strict progress above z_ss, and none from there");
+        fixed_check(step, step->params->update != EPF_UPDATE_SATURATED || step->zeta == step->z_ss,
+                    "the paper's rule lets go at once");
     }
 }
 
@@ -149,6 +159,7 @@ void fixed_check_all(const fixed_step_t *step)
     deflects_by_part_of_the_displacement(step);
     plastic_displacement_follows_the_motion(step);
     elastic_displacement_is_all_deflection(step);
+    approaches_steady_state_from_above(step);
     leap_arrives(step);
     force_opposes_plastic_motion(step);
     no_step_yields_energy(step);

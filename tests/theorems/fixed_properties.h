@@ -15,7 +15,8 @@ void deflects_by_part_of_the_displacement(const fixed_step_t *step);
 /* Lemma 2 */
 void plastic_displacement_follows_the_motion(const fixed_step_t *step);
 void elastic_displacement_is_all_deflection(const fixed_step_t *step);
-/* Theorem 2, at once */
+/* Theorem 2 from above, and at once */
+void approaches_steady_state_from_above(const fixed_step_t *step);
 void leap_arrives(const fixed_step_t *step);
 /* Theorem 3 */
 void force_opposes_plastic_motion(const fixed_step_t *step);

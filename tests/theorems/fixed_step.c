@@ -24,11 +24,12 @@ void fixed_step_take(fixed_step_t *step, any_contact_t *ep)
 
 void fixed_step_describe(const fixed_step_t *step, const char *claim, char text[FIXED_STEP_TEXT])
 {
+    static const char *const rules[UPDATE_RULES] = {"saturated", "mean value"};
     (void)snprintf(
         text, FIXED_STEP_TEXT,
-        "%s: %s, %s, %s, step %u: dx %ld v %ld dt %lu z %ld -> %ld, z_ss %ld, force %ld, "
+        "%s: %s, %s, %s, %s, step %u: dx %ld v %ld dt %lu z %ld -> %ld, z_ss %ld, force %ld, "
         "internal %.0f",
-        claim, step->variant->name, step->contact, step->sequence, step->index, (long)step->dx,
-        (long)step->v, (unsigned long)step->dt, (long)step->z_before, (long)step->z,
-        (long)step->z_ss, (long)step->force, (double)step->internal_force);
+        claim, step->variant->name, rules[step->params->update], step->contact, step->sequence,
+        step->index, (long)step->dx, (long)step->v, (unsigned long)step->dt, (long)step->z_before,
+        (long)step->z, (long)step->z_ss, (long)step->force, (double)step->internal_force);
 }

@@ -9,6 +9,8 @@
 #include "epf/q15.h"
 #include "epf/q31.h"
 
+#include "../sequences/parameter_sets.h" /* UPDATE_RULES */
+
 #include <stdbool.h>
 
 /* Coefficients and a contact of either type: a variant uses its own member */
@@ -33,7 +35,11 @@ typedef struct {
     const char *name;
     int32_t signal_max; /* largest dx, v and force */
     uint32_t time_max;  /* largest dt */
-    double accuracy;    /* |dz| of one step against double precision, z_max */
+
+    /* by update rule */
+    double accuracy[UPDATE_RULES]; /* |dz| of one step against double precision, z_max */
+    int32_t
+        ripple[UPDATE_RULES]; /* so much less a longer displacement may deflect, by rounding, u */
 
     /* the public functions */
     epf_status_t (*coeffs_init)(any_coeffs_t *, const epf_params_t *, const epf_lsb_t *);
@@ -51,7 +57,7 @@ typedef struct {
 
     /* what can be seen of the two types */
     fixed_lengths_t (*lengths)(const any_coeffs_t *);
-    bool (*same_coeffs)(const any_coeffs_t *, const any_coeffs_t *);
+    bool (*same_coeffs)(const any_coeffs_t *, const any_coeffs_t *);    /* in every field */
     bool (*same_contact)(const any_contact_t *, const any_contact_t *); /* in every field */
     bool (*same_point)(const any_contact_t *, const any_contact_t *, int which); /* 0 or 1 */
     int (*published)(const any_contact_t *);   /* which of the two */
@@ -70,5 +76,18 @@ enum { FIXED_VARIANTS = 2 };
 
 extern const fixed_variant_t q31_variant, q15_variant;
 extern const fixed_variant_t *const fixed_variants[FIXED_VARIANTS];
+
+/* Every variant by every update rule */
+enum { FIXED_WAYS = FIXED_VARIANTS * UPDATE_RULES };
+
+static inline const fixed_variant_t *fixed_way_variant(int i)
+{
+    return fixed_variants[i % FIXED_VARIANTS];
+}
+
+static inline epf_update_t fixed_way_rule(int i)
+{
+    return (epf_update_t)(i / FIXED_VARIANTS);
+}
 
 #endif

@@ -84,7 +84,8 @@ static bool same_coeffs(const any_coeffs_t *a, const any_coeffs_t *b)
     return p->z_max == q->z_max && p->z_c == q->z_c && p->z_ba == q->z_ba && p->unit == q->unit &&
            p->leap == q->leap && p->damping == q->damping && p->damping_shift == q->damping_shift &&
            p->output == q->output && p->output_shift == q->output_shift &&
-           p->z_shift == q->z_shift && p->stribeck == q->stribeck && same_gains(p, q);
+           p->z_shift == q->z_shift && p->stribeck == q->stribeck && p->update == q->update &&
+           same_gains(p, q);
 }
 
 static bool same_point(const any_contact_t *a, const any_contact_t *b, int which)

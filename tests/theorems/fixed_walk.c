@@ -3,6 +3,7 @@
 
 #include "effort.h"
 #include "fixed_corners.h"
+#include "integers.h"
 #include "parameter_sets.h"
 #include "sequences.h"
 #include "unity.h"
@@ -72,11 +73,15 @@ void fixed_walk_contact(const fixed_variant_t *variant, const char *contact,
                         const epf_params_t *params, const epf_lsb_t *lsb, unsigned samples,
                         fixed_visitor_t visit)
 {
-    any_coeffs_t coeffs;
-    fixed_step_t step = {.variant = variant, .contact = contact, .params = params, .lsb = lsb};
-    start(&step, &coeffs);
-    for (int kind = 0; kind < SEQUENCE_KINDS; kind++) {
-        walk_sequence(&step, (sequence_kind_t)kind, EFFORT_OF_WALK(samples), visit);
+    epf_params_t by_rule = *params;
+    fixed_step_t step = {.variant = variant, .contact = contact, .params = &by_rule, .lsb = lsb};
+    for (int rule = 0; rule < UPDATE_RULES; rule++) {
+        any_coeffs_t coeffs;
+        by_rule.update = (epf_update_t)rule;
+        start(&step, &coeffs);
+        for (int kind = 0; kind < SEQUENCE_KINDS; kind++) {
+            walk_sequence(&step, (sequence_kind_t)kind, EFFORT_OF_WALK(samples), visit);
+        }
     }
 }
 
@@ -110,29 +115,107 @@ void fixed_walk(unsigned samples, fixed_visitor_t visit)
     }
 }
 
-/* Each corner takes its turn at the sequences */
-static void walk_corner(const fixed_variant_t *variant, int i, unsigned samples,
-                        fixed_visitor_t visit)
+/* ---- the corners ------------------------------------------------------------------------------ */
+
+/* Shows some steps of one contact at a corner, whose index picks which */
+typedef void (*corner_walk_t)(fixed_step_t *step, int i, unsigned samples, fixed_visitor_t visit);
+
+static void walk_corner(int way, int i, corner_walk_t walk, unsigned samples, fixed_visitor_t visit)
 {
     fixed_corner_t corner;
     if (!fixed_corner(i, &corner)) {
         return;
     }
+    corner.params.update = fixed_way_rule(way);
     static char name[24];
     (void)snprintf(name, sizeof name, "corner %d", i);
     any_coeffs_t coeffs;
-    fixed_step_t step = {
-        .variant = variant, .contact = name, .params = &corner.params, .lsb = &corner.lsb};
+    fixed_step_t step = {.variant = fixed_way_variant(way),
+                         .contact = name,
+                         .params = &corner.params,
+                         .lsb = &corner.lsb};
     start(&step, &coeffs);
     TEST_ASSERT_EQUAL_INT_MESSAGE(corner.z_shift, step.lengths.z_shift, name);
-    walk_sequence(&step, (sequence_kind_t)(i % SEQUENCE_KINDS), samples, visit);
+    walk(&step, i, samples, visit);
+}
+
+static void walk_every_corner(corner_walk_t walk, unsigned samples, fixed_visitor_t visit)
+{
+    for (int way = 0; way < FIXED_WAYS; way++) {
+        /* odd, so that no elastic share is left out by the stride alone */
+        for (int i = 0; i < FIXED_CORNERS; i += EPF_TEST_ONE_IN | 1) {
+            walk_corner(way, i, walk, samples, visit);
+        }
+    }
+}
+
+/* Each corner takes its turn at the sequences */
+static void walk_a_sequence(fixed_step_t *step, int i, unsigned samples, fixed_visitor_t visit)
+{
+    walk_sequence(step, (sequence_kind_t)(i % SEQUENCE_KINDS), samples, visit);
 }
 
 void fixed_walk_corners(unsigned samples, fixed_visitor_t visit)
 {
-    for (int i = 0; i < FIXED_VARIANTS; i++) {
-        for (int j = 0; j < FIXED_CORNERS; j += EPF_TEST_ONE_IN) {
-            walk_corner(fixed_variants[i], j, samples, visit);
-        }
+    walk_every_corner(walk_a_sequence, samples, visit);
+}
+
+/* Of every length, from 1 to bound; bound is below 2^31 */
+static int32_t of_every_length(uint32_t *random, int32_t bound)
+{
+    const uint32_t x = random_below(random, (uint32_t)bound) >> random_below(random, 31);
+    return (int32_t)x + 1;
+}
+
+/* In the direction of a motion towards +; reset() clamps it */
+static int32_t scattered_state(uint32_t *random, const fixed_lengths_t *c, int32_t z_ss)
+{
+    switch (random_below(random, 5)) {
+    case 0:
+        return c->z_ba + of_every_length(random, z_ss - c->z_ba);
+    case 1:
+        return z_ss - of_every_length(random, z_ss);
+    case 2:
+        return z_ss + of_every_length(random, c->z_max);
+    case 3:
+        return of_every_length(random, c->z_max);
+    default:
+        return -of_every_length(random, c->z_max);
     }
+}
+
+static int32_t scattered_displacement(uint32_t *random, const fixed_lengths_t *c, int32_t z_ss,
+                                      int32_t largest)
+{
+    if (random_below(random, 8) == 0) {
+        const uint32_t halves = 1u + random_below(random, 9);
+        const uint64_t counts = (uint64_t)z_ss * halves / 2u / c->unit;
+        return (int32_t)(counts > 1u && counts < (uint32_t)largest ? counts : 1u);
+    }
+    return of_every_length(random, c->leap < (uint32_t)largest ? (int32_t)c->leap : largest);
+}
+
+static void scatter(fixed_step_t *step, int i, unsigned samples, fixed_visitor_t visit)
+{
+    const fixed_variant_t *variant = step->variant;
+    any_contact_t ep;
+    variant->init(&ep, step->coeffs);
+    uint32_t random = (uint32_t)i + 1u;
+    step->sequence = "scattered";
+    for (step->index = 0; step->index < samples; step->index++) {
+        const int32_t s = random_below(&random, 2) != 0 ? 1 : -1;
+        step->v = of_every_length(&random, variant->signal_max) - 1;
+        step->dt = random_word(&random) >> random_below(&random, 32) & variant->time_max;
+        variant->set_velocity(&ep, step->v); /* the step is aimed at the z_ss of this velocity */
+        const int32_t z_ss = variant->z_ss(&ep);
+        variant->reset(&ep, s * scattered_state(&random, &step->lengths, z_ss));
+        step->dx = s * scattered_displacement(&random, &step->lengths, z_ss, variant->signal_max);
+        fixed_step_take(step, &ep);
+        visit(step);
+    }
+}
+
+void fixed_scatter(unsigned samples, fixed_visitor_t visit)
+{
+    walk_every_corner(scatter, samples, visit);
 }

@@ -22,6 +22,7 @@ const fixed_variant_t q15_variant = {
     .name = "q15",
     .signal_max = INT16_MAX,
     .time_max = UINT16_MAX,
-    .accuracy = 1e-3,
+    .accuracy = {1e-3, 1e-3},
+    .ripple = {0, 131072}, /* 2.5e-4 z_max at the most */
     VARIANT_FUNCTIONS,
 };

@@ -26,6 +26,7 @@ const fixed_variant_t q31_variant = {
     .name = "q31",
     .signal_max = INT32_MAX,
     .time_max = UINT32_MAX,
-    .accuracy = 3e-6,
+    .accuracy = {3e-6, 1e-5},
+    .ripple = {0, 8},
     VARIANT_FUNCTIONS,
 };

@@ -13,6 +13,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 void setUp(void)
 {
@@ -27,28 +28,87 @@ static void keep_larger(double *largest, double x)
     *largest = fmax(*largest, x);
 }
 
-/* ---- a step ---------------------------------------------------------------------------------- */
+/* ---- a step ----------------------------------------------------------------------------------
+ * The paper's rule against eqs. (12) and (13) in SI units. The mean-value rule takes z_ss(v) not only for
+ * where it ends, but for how fast: against itself in double precision for the z_ss(v) in use everywhere,
+ * and in SI units in ordinary contacts, since the error of z_ss(v) is a share of f_max - f_c.
+ */
 
-static double step_error[FIXED_VARIANTS];
+/* By f_max/f_c: up to 2, and up to 10 */
+enum { EXCESSES = 2 };
+static const float excesses[EXCESSES] = {2.0f, 10.0f};
+static const double si_accuracy[FIXED_VARIANTS][EXCESSES] = {{1e-5, 1e-5}, {1e-3, 2e-3}};
+
+static double step_error[FIXED_WAYS], si_step_error[FIXED_VARIANTS][EXCESSES];
+
+/* Of a step, against a contact of such parameters, z_max */
+static double error_of(const fixed_step_t *step, const epf_params_t *params)
+{
+    const double unit = (double)step->lsb->x / (double)step->lengths.unit;
+    const double z = (double)step->z_before * unit;
+    const double dx = (double)step->dx * (double)step->lsb->x;
+    const double v = (double)step->v * (double)step->lsb->v;
+    return fabs((double)step->z * unit - oracle_by_rule(params, z, dx, v)) /
+           (double)(step->params->f_max / step->params->sigma_0);
+}
+
+/* A contact whose z_ss is at every speed what the step had */
+static epf_params_t at_steady_state_in_use(const fixed_step_t *step)
+{
+    epf_params_t params = *step->params;
+    const double unit = (double)step->lsb->x / (double)step->lengths.unit;
+    params.f_c = (float)((double)step->z_ss * unit * (double)params.sigma_0);
+    params.stribeck = EPF_STRIBECK_COULOMB;
+    return params;
+}
+
+/* A displacement of 2 z_max, but for its last bits: by the mean-value rule one that is not quite that long
+   ends elsewhere */
+static bool is_just_a_leap(const fixed_step_t *step)
+{
+    return llabs(step->d - 2 * (int64_t)step->lengths.z_max) < 1024;
+}
+
+static void mean_value_agrees_in_si(const fixed_step_t *step)
+{
+    const int variant = step->variant == &q15_variant;
+    for (int i = 0; i < EXCESSES; i++) {
+        if (step->params->f_max <= excesses[i] * step->params->f_c) {
+            const double error = error_of(step, step->params);
+            keep_larger(&si_step_error[variant][i], error);
+            fixed_check(step, error <= si_accuracy[variant][i], "|dz| against SI units");
+        }
+    }
+}
 
 static void step_agrees_with_oracle(const fixed_step_t *step)
 {
-    const double z_max = (double)(step->params->f_max / step->params->sigma_0);
-    const double unit = (double)step->lsb->x / (double)step->lengths.unit;
-    const double expected = oracle_update(step->params, (double)step->z_before * unit,
-                                          (double)step->dx * (double)step->lsb->x,
-                                          (double)step->v * (double)step->lsb->v);
-    const double error = fabs((double)step->z * unit - expected) / z_max;
-    keep_larger(&step_error[step->variant == &q15_variant], error);
-    fixed_check(step, error <= step->variant->accuracy, "|dz| against double precision");
+    const epf_update_t rule = step->params->update;
+    epf_params_t params = *step->params;
+    if (rule == EPF_UPDATE_MEAN_VALUE) {
+        if (is_just_a_leap(step)) {
+            return;
+        }
+        mean_value_agrees_in_si(step);
+        params = at_steady_state_in_use(step);
+    }
+    const double error = error_of(step, &params);
+    keep_larger(&step_error[(step->variant == &q15_variant) + FIXED_VARIANTS * rule], error);
+    fixed_check(step, error <= step->variant->accuracy[rule], "|dz| against double precision");
 }
 
 static void test_a_step_is_as_accurate_as_promised(void)
 {
     fixed_walk(3000, step_agrees_with_oracle);
-    fixed_walk_corners(200, step_agrees_with_oracle);
+    fixed_walk_corners(50, step_agrees_with_oracle);
+    fixed_scatter(100, step_agrees_with_oracle);
     printf("largest error of a step: q31 %.2g z_max, q15 %.2g z_max\n", step_error[0],
            step_error[1]);
+    printf("of the mean-value rule: q31 %.2g z_max, q15 %.2g z_max\n", step_error[2],
+           step_error[3]);
+    printf("and for the exact z_ss(v), f_max up to 2 f_c and up to 10 f_c: q31 %.2g and %.2g, q15 "
+           "%.2g and %.2g\n",
+           si_step_error[0][0], si_step_error[0][1], si_step_error[1][0], si_step_error[1][1]);
 }
 
 /* ---- alpha -----------------------------------------------------------------------------------
@@ -150,6 +210,57 @@ static void test_alpha_is_a_half_period_of_a_sine_from_z_ba_to_z_ss(void)
             TEST_ASSERT_TRUE(sine_error[i][n] <= accuracy[i]);
         }
         TEST_ASSERT_TRUE(sine_error[i][0] > 0.0 && si_error[i] <= accuracy[i]);
+    }
+}
+
+/* ---- the continuous model --------------------------------------------------------------------
+ * One displacement at constant velocity, from everywhere between z_ba and z_ss: how much closer to
+ * dz/dx = 1 - alpha z/z_ss the mean-value rule comes, rms over the places.
+ */
+
+enum { PLACES = 20 + 180 / EPF_TEST_ONE_IN };
+
+/* By this rule, in spans z_ss - z_ba, for displacements of so many spans; Table II at v_s */
+static double rms_off_the_continuous_model(int way, double spans)
+{
+    const fixed_variant_t *variant = fixed_way_variant(way);
+    const epf_params_t params = parameters_by(fixed_way_rule(way), &parameter_sets[1]);
+    const epf_lsb_t lsb = {1e-9f, params.v_s / 100.0f, 1e-4f, 1e-5f};
+    any_coeffs_t coeffs;
+    any_contact_t ep;
+    TEST_ASSERT_EQUAL_INT(EPF_OK, variant->coeffs_init(&coeffs, &params, &lsb));
+    variant->init(&ep, &coeffs);
+    variant->set_velocity(&ep, 100);
+    const fixed_lengths_t c = variant->lengths(&coeffs);
+    const int32_t span = variant->z_ss(&ep) - c.z_ba;
+    const double unit = (double)lsb.x / (double)c.unit;
+    const int32_t dx = (int32_t)(spans * span / (double)c.unit);
+    double sum = 0.0;
+    for (int i = 0; i < PLACES; i++) {
+        const int32_t z = c.z_ba + (int32_t)((int64_t)span * i / PLACES);
+        variant->reset(&ep, z);
+        const double exact =
+            oracle_continuous(&params, z * unit, dx * (double)lsb.x, (double)params.v_s, 40);
+        const double off = (variant->advance(&ep, dx) - exact / unit) / span;
+        sum += off * off;
+    }
+    return sqrt(sum / PLACES);
+}
+
+static void test_mean_value_rule_is_many_times_closer_to_the_continuous_model(void)
+{
+    static const double spans[] = {0.01, 0.1, 0.3, 1.0};
+    static const double least_ratio[FIXED_VARIANTS][4] = {{40.0, 40.0, 20.0, 20.0},
+                                                          {10.0, 40.0, 20.0, 20.0}};
+    for (int i = 0; i < FIXED_VARIANTS; i++) {
+        printf("off the continuous model, in spans, %s:", fixed_variants[i]->name);
+        for (int k = 0; k < 4; k++) {
+            const double saturated = rms_off_the_continuous_model(i, spans[k]);
+            const double mean_value = rms_off_the_continuous_model(i + FIXED_VARIANTS, spans[k]);
+            printf(" %.2g, 1/%.0f of it;", saturated, saturated / mean_value);
+            TEST_ASSERT_TRUE(mean_value * least_ratio[i][k] < saturated);
+        }
+        printf("\n");
     }
 }
 
@@ -336,6 +447,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_a_step_is_as_accurate_as_promised);
+    RUN_TEST(test_mean_value_rule_is_many_times_closer_to_the_continuous_model);
     RUN_TEST(test_alpha_is_a_half_period_of_a_sine_from_z_ba_to_z_ss);
     RUN_TEST(test_viscous_term_is_rounded_towards_zero_and_within_2_units_and_its_precision);
     RUN_TEST(test_damping_term_is_rounded_towards_zero_and_within_4_units_and_its_precision);

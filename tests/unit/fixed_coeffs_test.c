@@ -75,9 +75,19 @@ static void test_coeffs_bad_parameters_are_refused_as_in_f32(void)
 {
     params.f_max = 0.5f;
     refused_as(EPF_ERR_F_MAX, "f_max");
-    setUp();
-    params.update = EPF_UPDATE_MEAN_VALUE;
-    refused_as(EPF_ERR_UPDATE, "second order");
+}
+
+static void test_coeffs_both_update_rules_are_accepted_and_nothing_else(void)
+{
+    static const int rules[] = {2, 3, 127, -1};
+    for (int i = 0; i < UPDATE_RULES; i++) {
+        params.update = (epf_update_t)i;
+        accepted("update rule");
+    }
+    for (int i = 0; i < 4; i++) {
+        params.update = (epf_update_t)rules[i];
+        refused_as(EPF_ERR_UPDATE, "no update rule");
+    }
 }
 
 static void test_coeffs_unusable_weights_are_refused_each_as_its_own(void)
@@ -262,7 +272,7 @@ static void test_footprint_of_a_contact_and_of_its_coefficients(void)
     const size_t pointer = sizeof(void *) > 4 ? sizeof(void *) : 4;
     TEST_ASSERT_TRUE(sizeof(epf_q31_t) <= 60 + 2 * (pointer - 4));
     TEST_ASSERT_TRUE(sizeof(epf_q15_t) <= 52 + 2 * (pointer - 4));
-    TEST_ASSERT_TRUE(sizeof(epf_q15_coeffs_t) <= 44);
+    TEST_ASSERT_TRUE(sizeof(epf_q15_coeffs_t) <= 48);
 }
 
 int main(void)
@@ -270,6 +280,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_coeffs_null_pointers_are_refused);
     RUN_TEST(test_coeffs_bad_parameters_are_refused_as_in_f32);
+    RUN_TEST(test_coeffs_both_update_rules_are_accepted_and_nothing_else);
     RUN_TEST(test_coeffs_unusable_weights_are_refused_each_as_its_own);
     RUN_TEST(test_boundary_weights_are_normal_floats);
     RUN_TEST(test_boundary_z_ba_is_at_least_one_count);

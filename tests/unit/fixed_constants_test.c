@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The EPF_xxx_COEFFS macros against coeffs_init, field by field, at the corners of what is accepted. A
- * macro takes a list in the source, hence the table.
+ * The EPF_xxx_COEFFS macros against coeffs_init, field by field, at the corners of what is accepted and
+ * with both update rules. A macro takes a list in the source, hence the table.
  */
 #include "fixed_variant.h"
 #include "unity.h"
@@ -15,8 +15,8 @@ void tearDown(void)
 }
 
 #define LORENTZIAN EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
-#define GAUSSIAN   EPF_STRIBECK_GAUSSIAN, EPF_UPDATE_SATURATED
-#define COULOMB    EPF_STRIBECK_COULOMB, EPF_UPDATE_SATURATED
+#define GAUSSIAN   EPF_STRIBECK_GAUSSIAN, EPF_UPDATE_MEAN_VALUE
+#define COULOMB    EPF_STRIBECK_COULOMB, EPF_UPDATE_MEAN_VALUE
 
 /* sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba */
 #define TABLE_1          1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 0.8e-5f, LORENTZIAN

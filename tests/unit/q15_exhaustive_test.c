@@ -8,6 +8,7 @@
 #include "../../src/q15.c" /* NOLINT(bugprone-suspicious-include) */
 
 #include "effort.h"
+#include "mean_value_in_double.h"
 #include "parameter_sets.h"
 #include "unity.h"
 
@@ -79,13 +80,18 @@ static void test_steady_state_is_bounded_and_never_rises_over_every_speed(void)
 
 /* ---- the operating point --------------------------------------------------------------------- */
 
+/* 5/8 of a span, and what few bits make of it: 0.69. A span below 10^-5 z_max has no bits to tell, and
+   what comes of it is within the span. */
+#define MOST     INT32_C(45220)
+#define SHORTEST INT32_C(5120)
+
 /* The share of a gap, before it is cut to 16 bits, and from there without a wrap */
 static uint32_t share_of_gap(const point_t *point, int32_t gap)
 {
     return part(point->span_inverse, (uint16_t)((uint32_t)gap >> point->span_shift));
 }
 
-/* A gap, which is less than the span, has a share below 1; and where the span is above z_max/64, the
+/* A gap, which is less than the span, has a share below 1, and 5/8 of a span one below 0.69; and where the span is above z_max/64, the
    shares are what they stand for within 1e-3 and what the bits of so short a z_ss are worth */
 static bool shares_are_below_1_and_close(int32_t z_ss, int32_t span)
 {
@@ -96,7 +102,9 @@ static bool shares_are_below_1_and_close(int32_t z_ss, int32_t span)
     const double share = span * 65536.0 / z_ss;
     const double tolerance = 66.0 + 65536.0 * 16384.0 / z_ss;
     const bool is_short = span < 8388608; /* z_max/64 at the least */
-    return last < 65536u && (is_short || last > 65300u) &&
+    return last < 65536u &&
+           (span < SHORTEST || share_of_gap(&point, span / 8 * 5) < (uint32_t)MOST) &&
+           (is_short || last > 65300u) &&
            (is_short ||
             (point.span_share < share + tolerance && point.span_share > share - tolerance));
 }
@@ -132,7 +140,7 @@ static unsigned long failures_of_deflecting_part(int32_t z_ss, int32_t z_ba)
     unsigned long failures = 0;
     int32_t before = 0;
     for (int32_t gap = 1; gap < z_ss - z_ba; gap = onward(gap, stride, z_ss - z_ba - 1)) {
-        const int32_t y = deflecting_part(&point, gap, 65536);
+        const int32_t y = deflecting_part(&point, share_of_span(&point, (uint32_t)gap), 65536);
         failures += y < before || y < 1 || y > 65536;
         before = y;
     }
@@ -165,6 +173,76 @@ static void test_plastic_share_never_rises_with_the_gap_for_every_elastic_share(
     TEST_ASSERT_EQUAL_UINT32(0, failures);
 }
 
+/* ---- the mean-value rule --------------------------------------------------------------------- */
+
+static void test_mean_root_is_within_6_of_its_parabola_for_every_argument(void)
+{
+    for (uint32_t v = 0; v <= ONE; v++) {
+        const double exact = 65536.0 * root_in_double(v / 65536.0);
+        TEST_ASSERT_TRUE(fabs(mean_root((fraction_t)v) - exact) <= 6.0);
+    }
+}
+
+static double share_error(uint32_t u, uint32_t p, uint32_t r)
+{
+    const fraction_t w = mean_share((fraction_t)u, (fraction_t)p, (fraction_t)r);
+    return w > u ? 1.0 : fabs(w / 65536.0 - share_in_double(u / 65536.0, p / 65536.0, r / 65536.0));
+}
+
+/* On a grid over all that comes in, the ends included: no intermediate value reaches 1, for its wrap would
+   be seen */
+static void test_mean_share_is_close_and_does_not_wrap_over_all_fractions(void)
+{
+    const int32_t strides[] = {251 + 20 * (EPF_TEST_ONE_IN - 1), 499 + 10 * (EPF_TEST_ONE_IN - 1)};
+    double worst = 0.0;
+    for (int32_t r = 0; r < 65536; r = onward(r, INT32_C(509) * EPF_TEST_ONE_IN, 65535)) {
+        for (int32_t u = 0; u < 65536; u = onward(u, strides[0], 65535)) {
+            for (int32_t p = 0; p <= MOST; p = onward(p, strides[1], MOST)) {
+                worst = fmax(worst, share_error((uint32_t)u, (uint32_t)p, (uint32_t)r));
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(worst < 4e-4);
+}
+
+/* A displacement has 16 bits, but for the shift by which it enters the state */
+static int32_t of_16_bits(int64_t d)
+{
+    int shift = 0;
+    while (d >> shift > 65535) {
+        shift++;
+    }
+    return (int32_t)(d >> shift << shift);
+}
+
+/* For every z_ss of 16 bits, those beyond them all 0 or all 1: over displacements up to 4 z_ss, where the
+   ratio is next to 1 */
+static unsigned long failures_of_let_go(int32_t z_ss)
+{
+    static const int32_t excess = 536870911;
+    unsigned long failures = 0;
+    for (int64_t k = 1; k < 300; k += 1 + k / 4) {
+        const int64_t ends[] = {z_ss * k / 64, 4 * (int64_t)z_ss - k, 4 * (int64_t)z_ss - k * 256};
+        for (int i = 0; i < 3; i++) {
+            const bool fits = ends[i] > 0 && ends[i] < 2 * (int64_t)STATE_LIMIT;
+            failures += fits && !let_go_is_close(z_ss, excess, of_16_bits(ends[i]), 4e-4);
+        }
+    }
+    return failures;
+}
+
+static void test_excess_let_go_is_close_for_every_z_ss_and_up_to_4_of_them(void)
+{
+    unsigned long failures = 0;
+    for (int32_t whole = 32768; whole < 65536; whole = onward(whole, EPF_TEST_ONE_IN, 65535)) {
+        for (int shift = 2; shift <= 14; shift += 4) {
+            failures += failures_of_let_go(whole * ((int32_t)1 << shift));
+            failures += failures_of_let_go((whole + 1) * ((int32_t)1 << shift) - 1);
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, failures);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -174,5 +252,8 @@ int main(void)
     RUN_TEST(test_shares_of_a_gap_and_of_the_span_are_below_1_for_every_span);
     RUN_TEST(test_plastic_share_never_rises_with_the_gap_for_every_z_ss);
     RUN_TEST(test_plastic_share_never_rises_with_the_gap_for_every_elastic_share);
+    RUN_TEST(test_mean_root_is_within_6_of_its_parabola_for_every_argument);
+    RUN_TEST(test_mean_share_is_close_and_does_not_wrap_over_all_fractions);
+    RUN_TEST(test_excess_let_go_is_close_for_every_z_ss_and_up_to_4_of_them);
     return UNITY_END() != 0;
 }
