@@ -44,7 +44,7 @@ def measure(cores, scratch):
 def write_results(file, measured):
     with open(file, "w", newline="", encoding="utf-8") as stream:
         out = csv.writer(stream, lineterminator="\n")
-        out.writerow(["core", "variant", "function", "form", "contact", "path", "metric", "value"])
+        out.writerow(["core", "variant", "function", "rule", "form", "contact", "path", "metric", "value"])
         for core, found in measured.items():
             out.writerows((core, *key, value) for key, value in found.items())
 

@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-/* |f_ss(v)|, eqs. (6) to (8) */
-static float f_ss(const epf_params_t *p, float v)
+float naive_f_ss(const epf_params_t *p, float v)
 {
     const float ratio = v / p->v_s;
     if (v == 0.0f) {
@@ -21,8 +20,7 @@ static float f_ss(const epf_params_t *p, float v)
     }
 }
 
-/* Eq. (10), with the factor 1/2 that its print has lost */
-static float alpha(float zeta, float z_ba, float z_ss)
+float naive_alpha(float zeta, float z_ba, float z_ss)
 {
     if (zeta <= z_ba) {
         return 0.0f;
@@ -42,8 +40,8 @@ float naive_step(naive_t *contact, float dx, float v, float dt)
 
     if (s != 0.0f) {
         const float zeta = s * z_before;
-        const float z_ss = f_ss(p, v) / p->sigma_0;
-        const float moved = zeta + (1.0f - alpha(zeta, p->z_ba, z_ss) * zeta / z_ss) * s * dx;
+        const float z_ss = naive_f_ss(p, v) / p->sigma_0;
+        const float moved = zeta + (1.0f - naive_alpha(zeta, p->z_ba, z_ss) * zeta / z_ss) * s * dx;
         contact->z = s * (zeta < z_ss && moved < z_ss ? moved : z_ss); /* (12), (13) */
     }
     return p->sigma_0 * contact->z + p->sigma_1 * (contact->z - z_before) / dt +
