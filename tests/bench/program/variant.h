@@ -15,14 +15,13 @@
 static EPF(coeffs_t) coeffs;
 static const epf_lsb_t *lsb;
 static SIGNAL earlier_v; /* what is kept where the velocity is rejected: z_ss is z_c */
+static unsigned motions; /* of this contact, so far */
 static int refused;
 
 /* A contact has two operating points, which take turns: where a path is run with another operand, it
    finds the other one published. That is so by the number of motions in between, 46. */
 static void take_turns(EPF(t) * contact)
 {
-    static unsigned motions;
-
     EPF(set_velocity)(contact, earlier_v);
     if ((motions / 2 + motions) % 2 != 0) {
         EPF(set_velocity)(contact, earlier_v);
@@ -69,6 +68,8 @@ static void measure_contact(const contact_t *contact)
     lsb = &contact->lsb;
     const epf_status_t status = path_start_up(contact);
     if (status == EPF_OK) {
+        /* So that both rules find the same, and another form the other one */
+        motions = 2u * (unsigned)contact->params.stribeck;
         earlier_v = V(20.0f * contact->params.v_s);
         every_path(contact, measure);
     } else if (status != EPF_ERR_UPDATE) { /* the other rule, in a build with one */
