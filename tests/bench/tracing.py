@@ -102,10 +102,11 @@ def measure_program(image, program):
     return_address = 3 if image.core == "atmega2560" else 2
     known, results = {}, {}
     for call, executed in calls(image, program, instructions):
-        if executed not in known:
-            known[executed] = (timing.measure_avr(executed, instructions, return_address) if is_avr
-                               else meter.measure(executed))
-        for metric, value in known[executed].items():
+        bits = array("Q", executed).tobytes() # a fifth of the memory
+        if bits not in known:
+            known[bits] = (timing.measure_avr(executed, instructions, return_address) if is_avr
+                             else meter.measure(executed))
+        for metric, value in known[bits].items():
             key = (*call, metric)
             results[key] = max(results.get(key, 0), value)
     check_counted(image.core, results)
