@@ -14,12 +14,6 @@ typedef struct {
     float z;
 } naive_t;
 
-/* |f_ss(v)|, eqs. (6) to (8) */
-float naive_f_ss(const epf_params_t *p, float v);
-
-/* Eq. (10), with the factor 1/2 that its print has lost */
-float naive_alpha(float zeta, float z_ba, float z_ss);
-
 float naive_step(naive_t *contact, float dx, float v, float dt);
 
 #endif

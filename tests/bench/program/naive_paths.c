@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The transcription and its rivals on the same paths; and that they are no strawmen: where the input is
    a number they come to the deflection that they should. */
+#include "model.h"
 #include "naive.h"
 #include "paths.h"
 #include "rivals.h"
@@ -47,7 +48,7 @@ static void measure_lugre(motion_t by, int is_number)
     (void)lugre_euler_step(&by_euler, by.v, by.dt);
     (void)lugre_exact_step(&exact, by.v, by.dt);
     if (is_number) {
-        const float z_ss = naive_f_ss(&params, by.v) / params.sigma_0;
+        const float z_ss = f_ss(&params, by.v) / params.sigma_0;
         const float q = fabsf(by.v) * by.dt / z_ss;
         agree(by_euler.z, exact.z, q * q / 2.0f * fabsf(by.z - copysignf(z_ss, by.v)));
     }
@@ -59,7 +60,7 @@ static void measure_ep(motion_t by, int is_number)
     naive_t by_euler = {&params, by.z};
     (void)ep_euler_step(&by_euler, by.v, by.dt);
     if (is_number) {
-        const float z_ss = naive_f_ss(&params, by.v) / params.sigma_0;
+        const float z_ss = f_ss(&params, by.v) / params.sigma_0;
         const float z = deflection_by_epf((motion_t){by.z, by.v * by.dt, by.v, by.dt});
         if (fabsf(z) < (1.0f - 1e-5f) * z_ss) {
             agree(by_euler.z, z, 0.0f);
