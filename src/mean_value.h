@@ -23,7 +23,7 @@ static inline fraction_t mean_root(fraction_t v)
     requires 0 < gap && 0 < d && 0 < span;
     assigns \nothing;
 */
-static LEAF fraction_t mean_share(const point_t *point, int32_t span, int32_t gap, int32_t d)
+static IN_LINE fraction_t mean_share(const point_t *point, int32_t span, int32_t gap, int32_t d)
 {
     const uint32_t quarter = (uint32_t)d / 4u, most = (uint32_t)span / 8u * 5u;
     const fraction_t p =
@@ -70,9 +70,11 @@ static LEAF int32_t let_go(int32_t z_ss, int32_t excess, int32_t d)
     ensures gap <= 0 ==> gap <= \result <= 0;
     ensures gap < 0 ==> \result < 0;
 */
-static OUT_OF_LINE int32_t mean_value_rule(const point_t *point, int32_t room, int32_t gap,
+static OUT_OF_LINE int32_t mean_value_rule(const coeffs_t *c, const point_t *point, int32_t zeta,
                                            int32_t d)
 {
+    const int32_t gap = point->z_ss - zeta;
+    const int32_t room = c->z_ba - zeta;
     if (gap <= 0) {
         return -let_go(point->z_ss, -gap, d); /* case 1 */
     }

@@ -9,11 +9,12 @@
     ensures 0 < gap ==> 0 < \result <= d && \result <= gap && room < \result;
     ensures gap <= 0 ==> \result == gap;
 */
-static IN_LINE int32_t saturated_rule(const point_t *point, int32_t room, int32_t gap, int32_t d)
+static LEAF int32_t saturated_rule(const coeffs_t *c, const point_t *point, int32_t zeta, int32_t d)
 {
+    const int32_t gap = point->z_ss - zeta;
     if (gap <= 0) {
         return gap; /* case 1 */
     }
-    return saturated(room < 0 ? deflecting_part(point, share_of_span(point, (uint32_t)gap), d) : d,
-                     gap);
+    return saturated(
+        zeta > c->z_ba ? deflecting_part(point, share_of_span(point, (uint32_t)gap), d) : d, gap);
 }

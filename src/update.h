@@ -10,7 +10,7 @@
     assigns \nothing;
     ensures 0 < \result <= d; // strict progress
 */
-static LEAF int32_t deflecting_part(const point_t *point, fraction_t w, int32_t d)
+static IN_LINE int32_t deflecting_part(const point_t *point, fraction_t w, int32_t d)
 {
     const fraction_t alpha = ONE - half_sine(w);
     const fraction_t zeta_by_z_ss = ONE - product(w, point->span_share);
@@ -47,18 +47,16 @@ static LEAF int32_t deflecting_part(const point_t *point, fraction_t w, int32_t 
 static IN_LINE int32_t deflection(const coeffs_t *c, const point_t *point, int32_t zeta,
                                   uint32_t counts)
 {
-    const int32_t gap = point->z_ss - zeta;
-    const int32_t room = c->z_ba - zeta;
     /*@ assert counts < c->leap ==> counts * c->unit <= (c->leap - 1) * c->unit; */
     /*@ assert counts >= c->leap ==> counts * c->unit >= c->leap * c->unit; */
     if (counts >= c->leap) {
-        return gap; /* a displacement of 2 z_max */
+        return point->z_ss - zeta; /* a displacement of 2 z_max */
     }
     const int32_t d = (int32_t)(counts * c->unit);
     /*@ assert d == counts * c->unit && 0 < d; */
-    if (d <= room) {
+    if (d <= c->z_ba - zeta) {
         return d; /* all elastic */
     }
-    return rule_in_use(c->update) == EPF_UPDATE_SATURATED ? saturated_rule(point, room, gap, d)
-                                                          : mean_value_rule(point, room, gap, d);
+    return rule_in_use(c->update) == EPF_UPDATE_SATURATED ? saturated_rule(c, point, zeta, d)
+                                                          : mean_value_rule(c, point, zeta, d);
 }
