@@ -130,24 +130,27 @@ class Program:
 
 
 def of_image(image):
-    """{(variant, function): Bound}, and {(variant, function): why there is none}, of all functions
-    that are called at run time."""
+    """{(variant, function, rule): Bound}, and {(variant, function, rule): why there is none}, of all
+    functions that are called at run time. The rule is the one that a build has alone, or "any"."""
     bounds, refusals = {}, {}
     for program in () if image.core.startswith("atmega") else images.PROGRAMS:
+        variant, only = images.of_program(program)
+        rule = only + images.ALONE if only else "any"
         instructions = images.instructions(image, program)
         names = {address: name for address, size, name in images.symbols(image, program) if size}
         for address, name in names.items():
             public = RUN_TIME.fullmatch(name)
-            if not public or public[1] != program:
+            if not public or public[1] != variant:
                 continue
-            is_soft = public[1] == "f32" and image.core not in WITH_FPU
+            place = (*public.groups(), rule)
+            is_soft = variant == "f32" and image.core not in WITH_FPU
             try:
                 found = of_function(image.core, instructions, names, address, is_soft)
             except Refused as refusal:
-                refusals[public.groups()] = str(refusal)
+                refusals[place] = str(refusal)
             else:
                 if not is_soft:
-                    bounds[public.groups()] = found
+                    bounds[place] = found
         check_counted(image.core, instructions, names)
     return bounds, refusals
 

@@ -3,6 +3,7 @@
 
 core      patterns, separated by spaces
 function  or several, joined by +, whose worst are summed; "any"; "run time": any but coeffs_init
+rule      of update, in a build with both; "any"; of sizes: of a library compiled for it
 form      of f_ss, or "any"; "one": of a library compiled for one
 path      "any"; "finite": with an ordinary contact, all but the extremes and what is rejected
 at_most   of the worst that was run
@@ -25,8 +26,8 @@ def read(file=BUDGETS):
         return list(csv.DictReader(stream))
 
 
-def is_meant(budget, form, contact, path):
-    if budget["form"] not in ("any", form):
+def is_meant(budget, rule, form, contact, path):
+    if budget["form"] not in ("any", form) or budget["rule"] not in ("any", rule):
         return False
     if budget["path"] == "finite":
         return contact == "ordinary" and path not in NOT_FINITE
@@ -35,21 +36,21 @@ def is_meant(budget, form, contact, path):
 
 def cost(core, measured, variant, function, budget):
     """The worst that was run in that form, on these paths."""
-    return max((value for (*who, form, contact, path, metric), value in measured.items()
+    return max((value for (*who, rule, form, contact, path, metric), value in measured.items()
                 if who == [variant, function] and metric == timing.cost_metric(core)
-                and is_meant(budget, form, contact, path)), default=None)
+                and is_meant(budget, rule, form, contact, path)), default=None)
 
 
 def size(core, table, variant, function, budget):
     """What stands in the table of figures."""
     if budget["form"] == "one":
-        return table[variant, function, "one form", budget["metric"]].get(core)
+        return table[variant, function, budget["rule"], "one form", budget["metric"]].get(core)
     return figures.worst(table, variant, function, budget["metric"]).get(core)
 
 
 def values(core, table, measured, budget):
     """(value, variant) of all that a budget is about on that core."""
-    for variant in fnmatch.filter(figures.VARIANTS, budget["variant"]):
+    for variant in fnmatch.filter(images.VARIANTS, budget["variant"]):
         functions = budget["function"].split("+")
         parts = [cost(core, measured, variant, function, budget) if budget["metric"] == "cost"
                  else size(core, table, variant, function, budget) for function in functions]
@@ -60,7 +61,7 @@ def values(core, table, measured, budget):
 
 def verdict(budget, nearest):
     value, core, variant = nearest
-    what = " ".join(budget[name] for name in ("function", "form", "path", "metric")
+    what = " ".join(budget[name] for name in ("function", "rule", "form", "path", "metric")
                     if budget[name] != "any")
     line = f"{core} {variant} {what}: {value}, at most {budget['at_most']}"
     if value <= int(budget["at_most"]):

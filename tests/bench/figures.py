@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The figures that are told and gated: {(variant, function, path, metric): {core: value}}.
+"""The figures that are told and gated: {(variant, function, rule, path, metric): {core: value}}.
 
+rule    of update, in a build with both: of the functions that depend on it; else "any", the worse of both;
+        "saturated alone", "mean_value alone": of a build with that rule only
 metric  cost   cycles, where the core is modelled, or else instructions: worst of forms and contacts
         bound  what no cost exceeds, of the machine code
+        branch the most that a call costs more in a build with both rules than in one with that rule
         stack  bytes, worst of all paths
         deepest  the same of the machine code
         flash  bytes of a link of the function alone, or of a typical set of them
@@ -17,25 +20,42 @@ import image as images
 import timing
 import tracing
 
-VARIANTS = ("f32", "q31", "q15")
+WITH_RULE = ("advance", "update", "step") # what depends on the rule
 LINKS = {
     "split": ("init", "set_velocity", "advance", "force", "output"),
     "joined": ("init", "step", "output"),
 }
-KEY = ("variant", "function", "path", "metric")
+KEY = ("variant", "function", "rule", "path", "metric")
 
 
 def folded(core, measured):
-    """Of what tracing.measure gives: the cost of every path and the stack of every function."""
+    """Of what tracing.measure gives: the cost of every path and the stack of every function. Of builds
+    with one rule, no more than the worst."""
     found = {}
-    for (variant, function, _, _, path, metric), value in measured.items():
+    for (variant, function, rule, _, _, path, metric), value in measured.items():
+        alone = rule.endswith(images.ALONE)
+        if alone and function not in WITH_RULE:
+            continue
         if metric == timing.cost_metric(core):
-            key = (variant, function, path, "cost")
+            key = (variant, function, rule if function in WITH_RULE else "any",
+                   "worst" if alone else path, "cost")
         elif metric == "stack":
-            key = (variant, function, "worst", "stack")
+            key = (variant, function, rule if alone else "any", "worst", "stack")
         else:
             continue
         found[key] = max(found.get(key, 0), value)
+    return found
+
+
+def branches(core, measured):
+    """What a call costs more where the build has both rules than where it has one: the most of each
+    function and rule."""
+    found = {}
+    for (variant, function, rule, *case, metric), value in measured.items():
+        both = (variant, function, rule.removesuffix(images.ALONE), *case, metric)
+        if both[2] != rule and function in WITH_RULE and metric == timing.cost_metric(core):
+            key = (variant, function, both[2], "worst", "branch")
+            found[key] = max(found.get(key, 0), measured[both] - value)
     return found
 
 
@@ -43,31 +63,34 @@ def sizes(image, measured):
     """What everything occupies."""
     found = {}
 
-    def link(variant, name, path, library, functions):
+    def link(variant, name, rule, path, library, functions):
         flash, ram = images.occupied(image, library, *functions)
-        found[variant, name, path, "flash"] = flash
-        found[variant, name, path, "ram"] = ram
+        found[variant, name, rule, path, "flash"] = flash
+        found[variant, name, rule, path, "ram"] = ram
 
-    for variant in VARIANTS:
+    for variant in images.VARIANTS:
         for function in sorted({key[1] for key in measured if key[0] == variant}):
-            link(variant, function, "alone", "epf_small", [f"epf_{variant}_{function}"])
+            link(variant, function, "any", "alone", "epf_small", [f"epf_{variant}_{function}"])
         for name, parts in LINKS.items():
             functions = [f"epf_{variant}_{part}" for part in parts]
-            link(variant, name, "all forms", "epf_small", functions)
-            link(variant, name, "one form", "epf_one_form", functions)
-    link("naive", "step", "alone", "naive_small", ["naive_step"])
+            link(variant, name, "any", "all forms", "epf_small", functions)
+            for rule in images.RULES:
+                link(variant, name, rule, "one form", f"epf_one_form_{rule}", functions)
+    for rival in images.RIVALS:
+        link(rival, "step", "any", "alone", "naive_small", [f"{rival}_step"])
     for name, size in images.object_sizes(image).items():
         kind, variant = name.split("_")
-        found[variant, kind, "any", "bytes"] = size
+        found[variant, kind, "any", "any", "bytes"] = size
     return found
 
 
 def bounded(bounds):
     """The same of what bound.of_image gives."""
     found = {}
-    for (variant, function), (cost, stack) in bounds.items():
-        found[variant, function, "worst", "bound"] = cost
-        found[variant, function, "worst", "deepest"] = stack
+    for (variant, function, rule), (cost, stack) in bounds.items():
+        if rule == "any" or function in WITH_RULE:
+            found[variant, function, rule, "worst", "bound"] = cost
+            found[variant, function, rule, "worst", "deepest"] = stack
     return found
 
 
@@ -87,7 +110,8 @@ def of_core(core, scratch):
     measured = tracing.measure(image)
     check_complete(image, measured)
     bounds, refusals = bound.of_image(image)
-    found = {**folded(core, measured), **bounded(bounds), **sizes(image, measured)}
+    found = {**folded(core, measured), **branches(core, measured), **bounded(bounds),
+             **sizes(image, measured)}
     return found, measured, [(core, *function, reason) for function, reason in refusals.items()]
 
 
@@ -100,13 +124,17 @@ def by_core(figures_of_cores):
     return table
 
 
-def worst(table, variant, function, metric):
-    """{core: the largest value of all paths} of a function; of "any"; of those called at "run time"."""
+def worst(table, variant, function, metric, rule="any"):
+    """{core: the largest value of all paths} of a function; of "any"; of those called at "run time". By
+    that rule; by "any" in a build with both."""
     def is_meant(name):
         return function in (name, "any") or (function == "run time" and name != "coeffs_init")
 
+    def is_by(name):
+        return name == rule or (rule == "any" and not name.endswith(images.ALONE))
+
     rows = [row for key, row in table.items()
-            if key[0] == variant and is_meant(key[1]) and key[3] == metric]
+            if key[0] == variant and is_meant(key[1]) and is_by(key[2]) and key[4] == metric]
     return {core: max(row[core] for row in rows) for core in (rows[0] if rows else {})}
 
 

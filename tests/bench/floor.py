@@ -34,7 +34,7 @@ def of_kind(core, number, kind):
 
 
 def read(file=FLOOR):
-    """{what: {(core, variant, function): cycles, or None where nothing is asked for}}"""
+    """{what: {(core, variant, function, rule): cycles, or None where nothing is asked for}}"""
     with open(file, newline="", encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
     found = {}
@@ -46,6 +46,6 @@ def read(file=FLOOR):
 
 
 def totals(floor):
-    """{(core, variant, function): the floor}"""
+    """{(core, variant, function, rule): the floor}"""
     places = next(iter(floor.values()))
     return {place: sum(row[place] or 0 for row in floor.values()) for place in places}

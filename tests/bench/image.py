@@ -10,7 +10,13 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 TOOLCHAINS = HERE.parent.parent / "cmake" / "toolchains"
 
-PROGRAMS = ("f32", "q31", "q15", "naive") # each measures the functions of that name
+VARIANTS = ("f32", "q31", "q15")
+RULES = ("saturated", "mean_value")
+RIVALS = ("naive", "lugre_euler", "lugre_exact", "ep_euler") # what one would otherwise take
+ALONE = " alone" # said of a rule in a build that has no other
+
+# Each measures the functions of a variant, linked with both rules or with one; "naive" those of the rivals
+PROGRAMS = (*VARIANTS, *(f"{variant}_{rule}" for variant in VARIANTS for rule in RULES), "naive")
 
 Image = namedtuple("Image", "core folder link objdump emulator")
 Instruction = namedtuple("Instruction", "size name operands")
@@ -18,6 +24,12 @@ Instruction = namedtuple("Instruction", "size name operands")
 
 class Failure(Exception):
     """Told to the user in one line."""
+
+
+def of_program(program):
+    """(variant, the rule that it has alone or "") of a program."""
+    variant, _, rule = program.partition("_")
+    return variant, rule
 
 
 def run(*command, **options):

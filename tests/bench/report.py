@@ -11,6 +11,12 @@ TITLES = {
     "cortex-m7": "M7", "cortex-m33": "M33", "rv32imac": "RV32 IMAC", "rv32imafc": "RV32 IMAFC",
     "atmega328p": "ATmega 328P", "atmega2560": "ATmega 2560",
 }
+RIVALS = {
+    "naive": "Algorithm 1, transcribed", "lugre_euler": "LuGre, explicit Euler in time",
+    "lugre_exact": "LuGre, exact for a velocity that is held",
+    "ep_euler": "elasto-plastic, explicit Euler in time",
+}
+SATURATED = f"saturated{images.ALONE}"
 TIMED = ("step", "set_velocity", "advance", "force", "output")
 ROOT = images.HERE.parent.parent
 README = ROOT / "README.md"
@@ -34,29 +40,70 @@ def cell(core, values, bounds=None):
     return f"{run} / {bounds[core]:,}" if bounds and core in bounds else run
 
 
-def cost_table(table):
-    rows = [("Algorithm 1, transcribed", figures.worst(table, "naive", "step", "cost"))]
-    for variant in figures.VARIANTS:
-        for function in TIMED:
-            rows.append((f"{variant} `{function}`", figures.worst(table, variant, function, "cost"),
-                         figures.worst(table, variant, function, "bound")))
-            if function == "advance":
-                rows.append((f"{variant} `advance`, elastic", table[variant, "advance", "elastic", "cost"]))
-    return by_core("run / bound: cycles, or instructions (i)", rows,
+def in_cost_unit(first, rows):
+    return by_core(f"{first}: cycles, or instructions (i)", rows,
                    lambda core: "" if timing.cost_metric(core) == "cycles" else " (i)")
 
 
+def cost_row(table, title, variant, function, rule="any"):
+    """The worst that was run, and the bound."""
+    return (title, *(figures.worst(table, variant, function, metric, rule)
+                     for metric in ("cost", "bound")))
+
+
+def cost_table(table):
+    rows = [cost_row(table, RIVALS["naive"], "naive", "step")]
+    for variant in images.VARIANTS:
+        for function in TIMED:
+            title = f"{variant} `{function}`"
+            rows.append(cost_row(table, title, variant, function))
+            if function in figures.WITH_RULE:
+                rows.append(cost_row(table, f"{title}, saturated", variant, function, SATURATED))
+            if function == "advance":
+                rows.append((f"{title}, elastic", elastic(table, variant)))
+    return in_cost_unit("run / bound", rows)
+
+
+def elastic(table, variant):
+    """{core: what an elastic displacement costs}, by either rule"""
+    rows = [table[variant, "advance", rule, "elastic", "cost"] for rule in images.RULES]
+    return {core: max(row[core] for row in rows) for core in rows[0]}
+
+
+def rule_table(table):
+    """What each rule costs in a build with both, and alone."""
+    return in_cost_unit("both / alone", [
+        (f"{variant} `{function}`, {rule.replace('_', ' ')}",
+         figures.worst(table, variant, function, "cost", rule),
+         figures.worst(table, variant, function, "cost", rule + images.ALONE))
+        for variant in images.VARIANTS for function in TIMED if function in figures.WITH_RULE
+        for rule in images.RULES])
+
+
+def rival_table(table):
+    return in_cost_unit("run", [
+        *(cost_row(table, title, rival, "step") for rival, title in RIVALS.items()),
+        *((f"{variant} `step`", figures.worst(table, variant, "step", "cost"))
+          for variant in images.VARIANTS)])
+
+
 def size_table(table):
-    rows = [("Algorithm 1, transcribed: flash", table["naive", "step", "alone", "flash"])]
-    for variant in figures.VARIANTS:
+    def flash(variant, links, rule, path):
+        return table[variant, links, rule, path, "flash"]
+
+    rows = [("Algorithm 1, transcribed: flash", flash("naive", "step", "any", "alone"))]
+    for variant in images.VARIANTS:
         rows += [
-            (f"{variant}: flash, split calls, all forms", table[variant, "split", "all forms", "flash"]),
-            (f"{variant}: flash, split calls, one form", table[variant, "split", "one form", "flash"]),
-            (f"{variant}: flash, `step`, one form", table[variant, "joined", "one form", "flash"]),
-            (f"{variant}: coefficients", table[variant, "coeffs", "any", "bytes"]),
-            (f"{variant}: RAM per contact", table[variant, "contact", "any", "bytes"]),
+            (f"{variant}: flash, split calls, all forms, both rules",
+             flash(variant, "split", "any", "all forms")),
+            *((f"{variant}: flash, {title}, one form, {rule.replace('_', ' ')}",
+               flash(variant, links, rule, "one form"))
+              for title, links in (("split calls", "split"), ("`step`", "joined"))
+              for rule in reversed(images.RULES)),
+            (f"{variant}: coefficients", table[variant, "coeffs", "any", "any", "bytes"]),
+            (f"{variant}: RAM per contact", table[variant, "contact", "any", "any", "bytes"]),
             (f"{variant}: stack", figures.worst(table, variant, "run time", "stack")),
-            (f"{variant}: stack of `coeffs_init`", table[variant, "coeffs_init", "worst", "stack"]),
+            (f"{variant}: stack of `coeffs_init`", table[variant, "coeffs_init", "any", "worst", "stack"]),
         ]
     return by_core("bytes", rows)
 
@@ -68,18 +115,19 @@ def floor_table(table):
     rows = [[what, *("" if value is None else str(value) for value in row.values())]
             for what, row in floor.items()]
     rows.append(["**floor**", *(f"**{value}**" for value in total.values())])
-    for title, value in (
-            ("worst that was run", lambda v, f: figures.worst(table, v, f, "cost")),
-            ("bound", lambda v, f: figures.worst(table, v, f, "bound"))):
-        rows.append([title, *(str(value(variant, function)[core]) for core, variant, function in total)])
-    heads = [f"{TITLES[core]} {variant} `{function}`" for core, variant, function in total]
+    for title, metric in (("worst that was run", "cost"), ("bound", "bound")):
+        rows.append([title, *(str(figures.worst(table, variant, function, metric, rule + images.ALONE)[core])
+                              for core, variant, function, rule in total)])
+    heads = [f"{TITLES[core]} {variant} `{function}`, {rule.replace('_', ' ')}"
+             for core, variant, function, rule in total]
     return markdown(["cycles", *heads], rows)
 
 
 def blocks(table):
     """{file: {name: what stands there, markers included}}"""
     tables = {README: {"cost": cost_table(table), "size": size_table(table)},
-              NOTES: {"floor": floor_table(table)}}
+              NOTES: {"rules": rule_table(table), "rivals": rival_table(table),
+                      "floor": floor_table(table)}}
     return {file: {name: f"<!-- bench: {name} -->\n{text}\n<!-- bench: end -->"
                    for name, text in of_file.items()} for file, of_file in tables.items()}
 

@@ -9,8 +9,9 @@ from array import array
 import image as images
 import timing
 
-MEASURED = re.compile(r"epf_(f32|q31|q15)_(\w+)|(naive)_(step)|(counted)_(loop|path)")
-CASE = re.compile(r"(form|contact|path)_(\w+)") # and the compiler's suffix to a copy: ".constprop.0"
+MEASURED = re.compile(rf"epf_({'|'.join(images.VARIANTS)})_(\w+)|({'|'.join(images.RIVALS)})_(step)|"
+                      r"(counted)_(loop|path)")
+CASE = re.compile(r"(rule|form|contact|path)_(\w+)") # and the compiler's suffix to a copy: ".constprop.0"
 
 
 def build_tracers(scratch):
@@ -48,22 +49,24 @@ def words(image, program):
 
 
 def landmarks(image, program):
-    """What the names of functions say: {address: ("form", "contact" or "path", its name)}, and
+    """What the names of functions say: {address: ("rule", "form", "contact" or "path", its name)}, and
     {address: (variant, function)} of what is measured."""
     cases, measured = {}, {}
+    variant, only = images.of_program(program)
     for address, _, name in images.symbols(image, program):
         case, function = CASE.match(name), MEASURED.fullmatch(name)
         if case:
-            cases[address] = case.groups()
-        elif function and (program in function.groups() or name.startswith("counted")):
+            kind, value = case.groups()
+            cases[address] = kind, value + images.ALONE if kind == "rule" and only else value
+        elif function and function[1] in (variant, None):
             measured[address] = tuple(filter(None, function.groups()))
     return cases, measured
 
 
 def calls(image, program, instructions):
-    """((variant, function, form, contact, path), words) of every measured call, callees included."""
+    """((variant, function, rule, form, contact, path), words) of every measured call, callees included."""
     cases, measured = landmarks(image, program)
-    case = {"form": "any", "contact": "any", "path": "any"}
+    case = {"rule": "any", "form": "any", "contact": "any", "path": "any"}
     before, executed = None, words(image, program)
     for word in executed:
         address = word & timing.ADDRESS
@@ -92,17 +95,18 @@ def measure(image):
 
 
 def measure_program(image, program):
-    """{(variant, function, form, contact, path, metric): value}, the largest of such calls."""
+    """{(variant, function, rule, form, contact, path, metric): value}, the largest of such calls."""
     instructions = images.instructions(image, program)
     meter = timing.Meter(image.core, instructions)
     is_avr = image.core.startswith("atmega")
     return_address = 3 if image.core == "atmega2560" else 2
     known, results = {}, {}
     for call, executed in calls(image, program, instructions):
-        if executed not in known:
-            known[executed] = (timing.measure_avr(executed, instructions, return_address) if is_avr
-                               else meter.measure(executed))
-        for metric, value in known[executed].items():
+        bits = array("Q", executed).tobytes() # a fifth of the memory
+        if bits not in known:
+            known[bits] = (timing.measure_avr(executed, instructions, return_address) if is_avr
+                             else meter.measure(executed))
+        for metric, value in known[bits].items():
             key = (*call, metric)
             results[key] = max(results.get(key, 0), value)
     check_counted(image.core, results)
@@ -113,7 +117,7 @@ def check_counted(core, results):
     """What is counted by hand must come out as counted by hand."""
     for function, counted in timing.COUNTED[core].items():
         for metric, expected in counted.items():
-            measured = results.pop(("counted", function, "any", "any", "any", metric), None)
+            measured = results.pop(("counted", function, *4 * ["any"], metric), None)
             if measured != expected:
                 raise images.Failure(f"{core}: {metric} of counted_{function} in counted.S: "
                                      f"{measured}, by hand {expected}")

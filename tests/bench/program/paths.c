@@ -36,6 +36,18 @@ static void path_mixed(const scene_t *at, float r, float v)
     both_ways(at, at->z_ba + share * (at->z_c - at->z_ba), 0.025f * at->z_ba * r, v, 1e-3f * r);
 }
 
+/* From the elastic range into the sine: what lies below z_ba is elastic */
+static void path_crossing(const scene_t *at, float r, float v)
+{
+    both_ways(at, 0.9f * at->z_ba, 0.3f * at->z_ba * r, v, 1e-3f * r);
+}
+
+/* The same, many times as far as the sine is long, but no leap */
+static void path_sweep(const scene_t *at, float r, float v)
+{
+    both_ways(at, 0.5f * at->z_ba, 1.9f * at->z_max * r, v, 1e-3f * r);
+}
+
 static void path_sliding(const scene_t *at, float r, float v)
 {
     both_ways(at, at->z_ba + 0.9f * r * (at->z_c - at->z_ba), 0.5f * at->z_ba * r, v, 1e-3f * r);
@@ -50,7 +62,13 @@ static void path_case_1(const scene_t *at, float r, float v)
 /* The same at once: the passivity guard limits the damping term */
 static void path_guard(const scene_t *at, float r, float v)
 {
-    both_ways(at, 0.98f * at->z_max, 0.025f * at->z_ba * r, v, 1e-3f * r);
+    both_ways(at, 0.98f * at->z_max, 0.2f * at->z_ba * r, v, 1e-4f * r);
+}
+
+/* The same as far as z_ss, also by the mean-value rule */
+static void path_release(const scene_t *at, float r, float v)
+{
+    both_ways(at, 0.98f * at->z_max, 1.95f * at->z_max * r, v, 1e-3f * r);
 }
 
 static void path_reversal(const scene_t *at, float r, float v)
@@ -108,9 +126,12 @@ static void at_each_speed(const scene_t *at, float r)
         const float v = speeds[i] * at->v_s * r;
         path_elastic(at, r, v);
         path_mixed(at, r, v);
+        path_crossing(at, r, v);
+        path_sweep(at, r, v);
         path_sliding(at, r, v);
         path_case_1(at, r, v);
         path_guard(at, r, v);
+        path_release(at, r, v);
         path_reversal(at, r, v);
         path_standstill(at, r, v);
         path_leap(at, r, v);
