@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* epf_replay: runs the friction estimator over a recorded motion. See README.md. */
-#include "csv_record.h"
 #include "options.h"
 #include "output.h"
 #include "picture.h"
 #include "problem.h"
+#include "record.h"
 #include "replay.h"
 #include "report.h"
 
@@ -64,12 +64,13 @@ static int write_result(replay_t *replay, csv_record_t *record, const char *out)
 static int replay_record(replay_t *replay, const options_t *options)
 {
     csv_record_t record;
-    if (!csv_open(&record, options->record, options->force_column)) {
+    if (!record_open(&record, options->record, options->force_column)) {
         return EXIT_DATA;
     }
     const parameters_t *parameters = &options->parameters;
     const replay_setup_t setup = {options->variant, parameters->values, parameters->lsb,
-                                  csv_has(&record, CSV_VELOCITY), csv_has(&record, CSV_FORCE)};
+                                  csv_has(&record, RECORD_VELOCITY),
+                                  csv_has(&record, RECORD_FORCE)};
     const epf_status_t status = replay_start(replay, &setup);
     int result = EXIT_USAGE;
     if (status == EPF_OK) {
@@ -92,11 +93,11 @@ static void show(const replay_t *replay, const options_t *options)
     if (options->picture == NULL) {
         return;
     }
-    if (picture_draw(options->out, options->picture)) {
+    if (picture_draw(options_script, options->out, options->picture)) {
         (void)printf("written           %s\n", options->picture);
     } else {
         (void)fputs("no picture; try:  ", stdout);
-        picture_print_command(options->out, options->picture);
+        picture_print_command(options_script, options->out, options->picture);
     }
 }
 
@@ -113,19 +114,9 @@ static int replay_and_show(options_t *options)
     return result;
 }
 
-/* What was printed may still wait in a buffer; whether it arrives shows now */
-static int finish_stdout(void)
-{
-    const bool printed = !ferror(stdout);
-    if (fclose(stdout) == 0 && printed) {
-        return EXIT_SUCCESS;
-    }
-    problem("stdout: cannot write everything");
-    return EXIT_DATA;
-}
-
 int main(int argc, char **argv)
 {
+    problem_from("epf_replay");
     options_t options;
     if (!options_read(&options, argc, argv)) {
         return EXIT_USAGE;
@@ -136,5 +127,8 @@ int main(int argc, char **argv)
     } else {
         result = replay_and_show(&options);
     }
-    return result == EXIT_SUCCESS ? finish_stdout() : result;
+    if (result == EXIT_SUCCESS && !output_finish_stdout()) {
+        result = EXIT_DATA;
+    }
+    return result;
 }

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
-#include "picture.h"
 #include "problem.h"
 #include "system.h"
 
 #include <stdio.h>
 #include <string.h>
+
+const char options_script[] = EPF_REPLAY_DIR "/plot.gp";
 
 static const char help[] =
     "usage: epf_replay [RECORD.csv] [options]\n"
@@ -185,7 +186,7 @@ static bool different(const char *written, const char *other)
 /* From every file that is read, and from one another */
 static bool outputs_are_different(const options_t *options)
 {
-    const char *const script = options->picture == NULL ? NULL : picture_script;
+    const char *const script = options->picture == NULL ? NULL : options_script;
     const char *const inputs[] = {options->record, options->params_file, script};
     bool good = different(options->out, options->picture);
     for (size_t i = 0; good && i < sizeof inputs / sizeof inputs[0]; i++) {

@@ -25,6 +25,9 @@ typedef struct {
     char picture_by_default[OPTIONS_NAME_MAX + 5];
 } options_t;
 
+/* The file that tells gnuplot how to draw */
+extern const char options_script[];
+
 /* False, and the problem reported, if the command line is not understood */
 bool options_read(options_t *options, int argc, char **argv);
 

@@ -35,12 +35,12 @@ static motion_t motion_to(const replay_t *replay, const csv_row_t *row)
     const double *const last = replay->last.value;
     const double *const now = row->value;
     motion_t motion = {
-        .dx = now[CSV_POSITION] - last[CSV_POSITION],
-        .dt = now[CSV_TIME] - last[CSV_TIME],
-        .end_x = now[CSV_POSITION] - first[CSV_POSITION],
-        .end_t = now[CSV_TIME] - first[CSV_TIME],
+        .dx = now[RECORD_POSITION] - last[RECORD_POSITION],
+        .dt = now[RECORD_TIME] - last[RECORD_TIME],
+        .end_x = now[RECORD_POSITION] - first[RECORD_POSITION],
+        .end_t = now[RECORD_TIME] - first[RECORD_TIME],
     };
-    motion.v = replay->setup.has_velocity ? now[CSV_VELOCITY] : motion.dx / motion.dt;
+    motion.v = replay->setup.has_velocity ? now[RECORD_VELOCITY] : motion.dx / motion.dt;
     return motion;
 }
 
@@ -103,13 +103,13 @@ static replay_sample_t sample_of(const replay_t *replay, const csv_row_t *row,
                                  const estimate_t *estimate)
 {
     replay_sample_t sample = {
-        .time_s = row->value[CSV_TIME],
-        .displacement_m = row->value[CSV_POSITION] - replay->first.value[CSV_POSITION],
+        .time_s = row->value[RECORD_TIME],
+        .displacement_m = row->value[RECORD_POSITION] - replay->first.value[RECORD_POSITION],
         .z_m = estimate->z_m,
         .force_N = estimate->force_N,
     };
     if (replay->setup.has_force) {
-        sample.measured_N = row->value[CSV_FORCE];
+        sample.measured_N = row->value[RECORD_FORCE];
         sample.residual_N = sample.measured_N - sample.force_N;
     }
     return sample;

@@ -7,7 +7,7 @@
 #define REPLAY_H
 
 #include "comparison.h"
-#include "csv_record.h"
+#include "record.h"
 #include "variant.h"
 
 /* What comes out for each row that goes in */

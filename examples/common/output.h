@@ -26,4 +26,8 @@ bool output_commit(output_t *output);
 /* Leaves things as they were before output_open; a stream keeps what it was given */
 void output_discard(output_t *output);
 
+/* What was printed may still wait in a buffer: the last thing that a program does is to see whether it
+   arrived. False, and the problem reported, if not. */
+bool output_finish_stdout(void);
+
 #endif

@@ -46,54 +46,56 @@ static bool bad_quotation(const csv_record_t *record, size_t cell)
 
 /* ---- header --------------------------------------------------------------------------------- */
 
-/* Notes the place of a column if its name is one of those wanted */
-static bool note_column(csv_record_t *record, const char *found, size_t place)
+static bool found_twice(const csv_record_t *record, const char *name, size_t one, size_t other)
 {
-    for (int i = 0; i < CSV_COLUMNS; i++) {
-        if (record->name[i] == NULL || strcmp(found, record->name[i]) != 0) {
-            continue;
-        }
-        if (record->place[i] != CSV_ABSENT) {
-            problem("%s:%lu: column %s: expected once, found as columns %lu and %lu",
-                    record->text.name, record->text.number, found,
-                    (unsigned long)record->place[i] + 1, (unsigned long)place + 1);
-            return false;
-        }
-        record->place[i] = place;
-    }
-    return true;
+    problem("%s:%lu: column %s: expected once, found as columns %lu and %lu", record->text.name,
+            record->text.number, name, (unsigned long)one + 1, (unsigned long)other + 1);
+    return false;
 }
 
-/* Looks for the columns by their names in `header`, which it cuts up */
-static bool find_columns(csv_record_t *record, char *header)
+/* Looks for a name in the header row, and counts its cells. `place` becomes CSV_ABSENT if the name is
+   not there. False, and the problem reported, if it is there twice or the row is not well formed. */
+static bool find_name(csv_record_t *record, const char *name, size_t *place)
 {
-    for (int i = 0; i < CSV_COLUMNS; i++) {
-        record->place[i] = CSV_ABSENT;
-    }
+    char header[TEXT_LINE_MAX + 1]; /* the cells are cut out of a copy: other names follow */
+    memcpy(header, record->text.line, strlen(record->text.line) + 1);
+    *place = CSV_ABSENT;
     record->cells = 0;
     for (char *rest = header; rest != NULL; record->cells++) {
         const char *found = next_cell(&rest);
         if (found == NULL) {
             return bad_quotation(record, record->cells);
         }
-        if (!note_column(record, found, record->cells)) {
-            return false;
+        if (strcmp(found, name) == 0 && *place != CSV_ABSENT) {
+            return found_twice(record, name, *place, record->cells);
+        }
+        if (strcmp(found, name) == 0) {
+            *place = record->cells;
         }
     }
     return true;
 }
 
-static bool require_column(const csv_record_t *record, csv_column_t column)
+static bool is_missing(const csv_record_t *record, const char *name)
 {
-    if (!csv_has(record, column)) {
-        problem("%s:%lu: column %s: expected in the header row, found none of that name (of %lu)",
-                record->text.name, record->text.number, record->name[column],
-                (unsigned long)record->cells);
-    }
-    return csv_has(record, column);
+    problem("%s:%lu: column %s: expected in the header row, found none of that name (of %lu)",
+            record->text.name, record->text.number, name, (unsigned long)record->cells);
+    return true;
 }
 
-static bool read_header(csv_record_t *record, const char *force_column)
+static bool find_column(csv_record_t *record, size_t i)
+{
+    csv_column_t *const column = &record->columns[i];
+    bool good = find_name(record, column->name, &record->place[i]);
+    if (good && !csv_has(record, i) && column->otherwise != NULL) {
+        column->name = column->otherwise;
+        good = find_name(record, column->name, &record->place[i]);
+    }
+    return good &&
+           (csv_has(record, i) || !column->is_required || !is_missing(record, column->name));
+}
+
+static bool read_header(csv_record_t *record)
 {
     const text_status_t status = text_next(&record->text);
     if (status == TEXT_FAILED) {
@@ -105,40 +107,29 @@ static bool read_header(csv_record_t *record, const char *force_column)
                 status == TEXT_END ? "an empty file" : "an empty line");
         return false;
     }
-    record->name[CSV_TIME] = "time_s";
-    record->name[CSV_POSITION] = "position_m";
-    record->name[CSV_VELOCITY] = "velocity_m_s";
-    record->name[CSV_FORCE] = force_column != NULL ? force_column : "friction_force_N";
-
-    char header[TEXT_LINE_MAX + 1];
-    memcpy(header, record->text.line, strlen(record->text.line) + 1);
-    if (!find_columns(record, header)) {
-        return false;
+    bool good = true;
+    for (size_t i = 0; good && i < record->count; i++) {
+        good = find_column(record, i);
     }
-    if (force_column == NULL && !csv_has(record, CSV_FORCE)) { /* the second choice */
-        record->name[CSV_FORCE] = "force_N";
-        if (!find_columns(record, record->text.line)) {
-            return false;
-        }
-    }
-    return require_column(record, CSV_TIME) && require_column(record, CSV_POSITION) &&
-           (force_column == NULL || require_column(record, CSV_FORCE));
+    return good;
 }
 
-bool csv_open(csv_record_t *record, const char *name, const char *force_column)
+bool csv_open(csv_record_t *record, const char *name, const csv_column_t *columns, size_t count)
 {
+    memcpy(record->columns, columns, count * sizeof *columns);
+    record->count = count;
     record->rows = 0;
     if (!text_open(&record->text, name)) {
         return false;
     }
-    if (!read_header(record, force_column)) {
+    if (!read_header(record)) {
         csv_close(record);
         return false;
     }
     return true;
 }
 
-bool csv_has(const csv_record_t *record, csv_column_t column)
+bool csv_has(const csv_record_t *record, size_t column)
 {
     return record->place[column] != CSV_ABSENT;
 }
@@ -152,7 +143,7 @@ void csv_close(csv_record_t *record)
 
 /* Cuts the line up and keeps the cells in use. The cells are counted before any is read: a wrong
    number of them explains more than what then stands in the wrong column. */
-static bool split_row(csv_record_t *record, const char *cells[CSV_COLUMNS])
+static bool split_row(csv_record_t *record, const char *cells[CSV_COLUMNS_MAX])
 {
     size_t count = 0;
     char *rest = record->text.line;
@@ -161,7 +152,7 @@ static bool split_row(csv_record_t *record, const char *cells[CSV_COLUMNS])
         if (cell == NULL) {
             return bad_quotation(record, count);
         }
-        for (int i = 0; i < CSV_COLUMNS; i++) {
+        for (size_t i = 0; i < record->count; i++) {
             if (record->place[i] == count) {
                 cells[i] = cell;
             }
@@ -175,13 +166,14 @@ static bool split_row(csv_record_t *record, const char *cells[CSV_COLUMNS])
     return count == record->cells;
 }
 
-static bool read_cells(const csv_record_t *record, const char *cells[CSV_COLUMNS], csv_row_t *row)
+static bool read_cells(const csv_record_t *record, const char *cells[CSV_COLUMNS_MAX],
+                       csv_row_t *row)
 {
     *row = (csv_row_t){{0.0}};
-    for (int i = 0; i < CSV_COLUMNS; i++) {
-        if (csv_has(record, (csv_column_t)i) && !text_number(cells[i], &row->value[i])) {
+    for (size_t i = 0; i < record->count; i++) {
+        if (csv_has(record, i) && !text_number(cells[i], &row->value[i])) {
             problem("%s:%lu: column %s: expected a finite number, " FOUND, record->text.name,
-                    record->text.number, record->name[i], cells[i]);
+                    record->text.number, record->columns[i].name, cells[i]);
             return false;
         }
     }
@@ -193,8 +185,8 @@ static bool check_time(csv_record_t *record, double time)
     if (record->rows > 0 && !(time > record->last_time)) {
         problem("%s:%lu: column %s: expected a time after that of the row before (%.15g), "
                 "found %.15g",
-                record->text.name, record->text.number, record->name[CSV_TIME], record->last_time,
-                time);
+                record->text.name, record->text.number, record->columns[CSV_TIME].name,
+                record->last_time, time);
         return false;
     }
     record->last_time = time;
@@ -235,7 +227,7 @@ csv_status_t csv_next(csv_record_t *record, csv_row_t *row)
     if (first_empty != 0) {
         return empty_line(record, first_empty);
     }
-    const char *cells[CSV_COLUMNS] = {NULL};
+    const char *cells[CSV_COLUMNS_MAX] = {NULL};
     if (!split_row(record, cells) || !read_cells(record, cells, row) ||
         !check_time(record, row->value[CSV_TIME])) {
         return CSV_FAILED;

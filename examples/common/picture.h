@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The picture of a result, made by gnuplot. */
+/* Pictures of results, made by gnuplot from a script: `gnuplot -c SCRIPT DATA PICTURE`. */
 #ifndef PICTURE_H
 #define PICTURE_H
 
 #include <stdbool.h>
 
-/* The name of the file that tells gnuplot how to draw */
-extern const char picture_script[];
-
 /* Has gnuplot draw `data` into `picture`. False if that did not work: gnuplot may be missing. */
-bool picture_draw(const char *data, const char *picture);
+bool picture_draw(const char *script, const char *data, const char *picture);
 
 /* Prints the command that draws the picture, ready to be pasted into a shell */
-void picture_print_command(const char *data, const char *picture);
+void picture_print_command(const char *script, const char *data, const char *picture);
 
 #endif

@@ -8,8 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-const char picture_script[] = EPF_REPLAY_DIR "/plot.gp";
-
 /* gnuplot runs a name that begins with < or | as a command, and ~, - and $ have meanings, too */
 typedef struct {
     char text[SYSTEM_NAME_MAX + 3];
@@ -23,11 +21,11 @@ static gnuplot_name_t gnuplot_name(const char *name)
     return made;
 }
 
-bool picture_draw(const char *data, const char *picture)
+bool picture_draw(const char *script, const char *data, const char *picture)
 {
     const gnuplot_name_t from = gnuplot_name(data);
     const gnuplot_name_t to = gnuplot_name(picture);
-    return system_gnuplot(picture_script, from.text, to.text);
+    return system_gnuplot(script, from.text, to.text);
 }
 
 /* Between apostrophes a POSIX shell takes everything as it is, except an apostrophe */
@@ -48,12 +46,12 @@ static void print_word(const char *word)
     (void)putchar('\'');
 }
 
-void picture_print_command(const char *data, const char *picture)
+void picture_print_command(const char *script, const char *data, const char *picture)
 {
     const gnuplot_name_t from = gnuplot_name(data);
     const gnuplot_name_t to = gnuplot_name(picture);
     (void)fputs("gnuplot -c", stdout);
-    print_word(picture_script);
+    print_word(script);
     print_word(from.text);
     print_word(to.text);
     (void)putchar('\n');

@@ -4,6 +4,13 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+static const char *program;
+
+void problem_from(const char *name)
+{
+    program = name;
+}
+
 /* A message quotes files and arguments, which may hold anything: it must stay one readable line */
 static void make_printable(char *text)
 {
@@ -23,5 +30,5 @@ void problem(const char *format, ...)
     (void)vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     make_printable(message);
-    (void)fprintf(stderr, "epf_replay: %s\n", message);
+    (void)fprintf(stderr, "%s: %s\n", program, message);
 }

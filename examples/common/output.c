@@ -54,3 +54,13 @@ void output_discard(output_t *output)
     (void)fclose(output->file);
     remove_temporary(output);
 }
+
+bool output_finish_stdout(void)
+{
+    const bool printed = !ferror(stdout);
+    if (fclose(stdout) == 0 && printed) {
+        return true;
+    }
+    problem("stdout: cannot write everything");
+    return false;
+}
