@@ -15,7 +15,7 @@ static double sign(double a)
 }
 
 /* Where Coulomb friction lets the mass move: with its velocity, or where a force sets it off; else 0 */
-static double direction_of(const slide_t *slide, const motion_t *m, double time)
+static double direction_of(const slide_t *slide, const slide_state_t *m, double time)
 {
     if (slide->contact.model != CONTACT_COULOMB || m->v != 0.0) {
         return sign(m->v);
@@ -25,7 +25,7 @@ static double direction_of(const slide_t *slide, const motion_t *m, double time)
 }
 
 /* In a given direction, which only Coulomb friction asks for */
-static double friction(const slide_t *slide, const motion_t *m, double force, double direction)
+static double friction(const slide_t *slide, const slide_state_t *m, double force, double direction)
 {
     const friction_t *p = &slide->contact.friction;
     if (slide->contact.model != CONTACT_COULOMB) {
@@ -34,31 +34,32 @@ static double friction(const slide_t *slide, const motion_t *m, double force, do
     return direction != 0.0 ? direction * p->f_c + p->sigma_2 * m->v : force;
 }
 
-double slide_friction(const slide_t *slide, const motion_t *motion, double time)
+double slide_friction(const slide_t *slide, const slide_state_t *motion, double time)
 {
     return friction(slide, motion, driving_force(slide, time), direction_of(slide, motion, time));
 }
 
-static motion_t derivative(const slide_t *slide, motion_t m, double time, double direction)
+static slide_state_t derivative(const slide_t *slide, slide_state_t m, double time,
+                                double direction)
 {
     const double force = driving_force(slide, time);
-    return (motion_t){m.v, (force - friction(slide, &m, force, direction)) / slide->mass,
-                      contact_rate(&slide->contact, m.z, m.v)};
+    return (slide_state_t){m.v, (force - friction(slide, &m, force, direction)) / slide->mass,
+                           contact_rate(&slide->contact, m.z, m.v)};
 }
 
 /* a + h b */
-static motion_t along(motion_t a, double h, motion_t b)
+static slide_state_t along(slide_state_t a, double h, slide_state_t b)
 {
-    return (motion_t){a.x + h * b.x, a.v + h * b.v, a.z + h * b.z};
+    return (slide_state_t){a.x + h * b.x, a.v + h * b.v, a.z + h * b.z};
 }
 
-static motion_t runge_kutta(const slide_t *slide, motion_t m, double time, double h,
-                            double direction)
+static slide_state_t runge_kutta(const slide_t *slide, slide_state_t m, double time, double h,
+                                 double direction)
 {
-    const motion_t k1 = derivative(slide, m, time, direction);
-    const motion_t k2 = derivative(slide, along(m, h / 2.0, k1), time + h / 2.0, direction);
-    const motion_t k3 = derivative(slide, along(m, h / 2.0, k2), time + h / 2.0, direction);
-    const motion_t k4 = derivative(slide, along(m, h, k3), time + h, direction);
+    const slide_state_t k1 = derivative(slide, m, time, direction);
+    const slide_state_t k2 = derivative(slide, along(m, h / 2.0, k1), time + h / 2.0, direction);
+    const slide_state_t k3 = derivative(slide, along(m, h / 2.0, k2), time + h / 2.0, direction);
+    const slide_state_t k4 = derivative(slide, along(m, h, k3), time + h, direction);
     m = along(m, h / 6.0, k1);
     m = along(m, h / 3.0, k2);
     m = along(m, h / 3.0, k3);
@@ -67,10 +68,10 @@ static motion_t runge_kutta(const slide_t *slide, motion_t m, double time, doubl
 
 /* Coulomb friction turns around where the mass comes to rest: finds that moment within the step, and
    goes on from there */
-static motion_t coulomb_step(const slide_t *slide, motion_t m, double time, double h)
+static slide_state_t coulomb_step(const slide_t *slide, slide_state_t m, double time, double h)
 {
     const double direction = direction_of(slide, &m, time);
-    const motion_t whole = runge_kutta(slide, m, time, h, direction);
+    const slide_state_t whole = runge_kutta(slide, m, time, h, direction);
     if (direction * whole.v >= 0.0) {
         return whole;
     }
@@ -90,13 +91,13 @@ static motion_t coulomb_step(const slide_t *slide, motion_t m, double time, doub
     return runge_kutta(slide, m, time + moving, h - moving, onward);
 }
 
-motion_t slide_step(const slide_t *slide, motion_t motion, double time, double step)
+slide_state_t slide_step(const slide_t *slide, slide_state_t motion, double time, double step)
 {
     return slide->contact.model == CONTACT_COULOMB ? coulomb_step(slide, motion, time, step)
                                                    : runge_kutta(slide, motion, time, step, 0.0);
 }
 
-run_t run_from(const slide_t *slide, motion_t start, double rate)
+run_t run_from(const slide_t *slide, slide_state_t start, double rate)
 {
     return (run_t){.slide = slide, .rate = rate, .coarse = start, .fine = start};
 }

@@ -15,7 +15,7 @@
 
 typedef struct {
     double x, v, z; /* position, m; velocity, m/s; deflection of the contact, m */
-} motion_t;
+} slide_state_t;
 
 typedef struct {
     contact_t contact;
@@ -25,21 +25,22 @@ typedef struct {
 } slide_t;
 
 /* The friction that the mass feels, N. Coulomb friction at rest is what holds the mass, up to f_c. */
-double slide_friction(const slide_t *slide, const motion_t *motion, double time);
+double slide_friction(const slide_t *slide, const slide_state_t *motion, double time);
 
 /* The motion one step later */
-motion_t slide_step(const slide_t *slide, motion_t motion, double time, double step);
+slide_state_t slide_step(const slide_t *slide, slide_state_t motion, double time, double step);
 
 /* Both motions of a run: at its step, and at half of it */
 typedef struct {
     const slide_t *slide; /* must outlive the run */
     double rate;          /* coarse steps per second */
     long steps;           /* coarse steps done */
-    motion_t coarse, fine;
-    motion_t apart; /* the largest differences between the two, absolute, after any coarse step */
+    slide_state_t coarse, fine;
+    slide_state_t
+        apart; /* the largest differences between the two, absolute, after any coarse step */
 } run_t;
 
-run_t run_from(const slide_t *slide, motion_t start, double rate);
+run_t run_from(const slide_t *slide, slide_state_t start, double rate);
 
 /* Time is counted, not summed: it has no rounding drift */
 double run_time(const run_t *run);

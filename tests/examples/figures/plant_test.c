@@ -70,7 +70,7 @@ static double glided(contact_model_t model, const friction_t *p, double z, doubl
 {
     const slide_t slide = {.contact = {*p, model}, .mass = HUGE_VAL};
     const long steps = 1000 + 500 * (long)(fabs(v * time) / friction_z_max(p));
-    run_t run = run_from(&slide, (motion_t){0.0, v, z}, (double)steps / time);
+    run_t run = run_from(&slide, (slide_state_t){0.0, v, z}, (double)steps / time);
     run_advance(&run, steps);
     TEST_ASSERT_DOUBLE_WITHIN(1e-11 * fabs(v * time), v * time, run.fine.x);
     TEST_ASSERT_DOUBLE_WITHIN(1e-8 * friction_z_max(p), 0.0, run.apart.z);
@@ -130,7 +130,7 @@ static run_t oscillated(double rate)
         .contact = {{1e5, 63.0, 0.4, 1.0, 1.1, 1e-5, 8e-6, FRICTION_LORENTZIAN},
                     CONTACT_ELASTO_PLASTIC},
         .mass = 1.0};
-    run_t run = run_from(&slide, (motion_t){0.0, 2e-3, 0.0}, rate);
+    run_t run = run_from(&slide, (slide_state_t){0.0, 2e-3, 0.0}, rate);
     run_advance(&run, lround(0.05 * rate));
     return run;
 }
@@ -172,13 +172,13 @@ static void test_energy_is_accounted_for(void)
 {
     const slide_t slide = driven(CONTACT_ELASTO_PLASTIC);
     const friction_t *p = &table_2;
-    run_t run = run_from(&slide, (motion_t){0.0, 0.0, 0.0}, 50000.0);
+    run_t run = run_from(&slide, (slide_state_t){0.0, 0.0, 0.0}, 50000.0);
     double given = 0.0;
     double gone = 0.0;
     double before[2] = {0.0, 0.0};
     while (run_time(&run) < 0.8) {
         run_advance(&run, 1);
-        const motion_t m = run.fine;
+        const slide_state_t m = run.fine;
         const double rate = contact_rate(&slide.contact, m.z, m.v);
         const double plastic = p->sigma_0 * m.z * (m.v - rate);
         const double now[2] = {drive_force(&drive, run_time(&run)) * m.v,
@@ -198,7 +198,7 @@ static void test_every_model_is_integrated_to_a_small_distance(void)
 {
     for (int model = CONTACT_ELASTO_PLASTIC; model <= CONTACT_COULOMB; model++) {
         const slide_t slide = driven((contact_model_t)model);
-        run_t run = run_from(&slide, (motion_t){0.0, 0.0, 0.0}, 50000.0);
+        run_t run = run_from(&slide, (slide_state_t){0.0, 0.0, 0.0}, 50000.0);
         run_advance(&run, 40000);
         TEST_ASSERT_TRUE(run.fine.x > 1e-4);
         TEST_ASSERT_DOUBLE_WITHIN(1e-8, 0.0, run.apart.x);
@@ -219,7 +219,7 @@ static void test_coulomb_friction_stops_the_mass_and_holds_it(void)
     const double back = -pull;
     const friction_t p = {1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.5, FRICTION_COULOMB};
     const slide_t slide = {{p, CONTACT_COULOMB}, 1.0, steady_pull, &back};
-    run_t run = run_from(&slide, (motion_t){0.0, 1.0, 0.0}, 333.0);
+    run_t run = run_from(&slide, (slide_state_t){0.0, 1.0, 0.0}, 333.0);
     run_advance(&run, 666);
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 1.0 / 3.5, run.fine.x);
     TEST_ASSERT_TRUE(run.fine.v == 0.0);
@@ -231,7 +231,7 @@ static void test_coulomb_friction_lets_go_above_f_c(void)
     const double force = 1.5;
     const friction_t p = {1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.5, FRICTION_COULOMB};
     const slide_t slide = {{p, CONTACT_COULOMB}, 1.0, steady_pull, &force};
-    run_t run = run_from(&slide, (motion_t){0.0, 0.0, 0.0}, 100.0);
+    run_t run = run_from(&slide, (slide_state_t){0.0, 0.0, 0.0}, 100.0);
     run_advance(&run, 100); /* 1/2 m/s^2 for 1 s */
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.25, run.fine.x);
     TEST_ASSERT_DOUBLE_WITHIN(0.0, 1.0, slide_friction(&slide, &run.fine, 1.0));
