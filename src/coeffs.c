@@ -90,9 +90,9 @@ epf_status_t epf_q31_coeffs_init(epf_q31_coeffs_t *coeffs, const epf_params_t *p
     quantities_t q;
     const epf_status_t status = derive(&q, coeffs, params, lsb, EPF_Q31_LARGEST_);
     if (status == EPF_OK) {
-        *coeffs =
-            (epf_q31_coeffs_t)EPF_Q31_DERIVE_(q.z_max, q.z_c, q.z_ba, q.v_s_inverse, q.viscous,
-                                              q.damping, q.f_max, params->stribeck, q.z_shift);
+        *coeffs = (epf_q31_coeffs_t)EPF_Q31_DERIVE_(q.z_max, q.z_c, q.z_ba, q.v_s_inverse,
+                                                    q.viscous, q.damping, q.f_max, params->stribeck,
+                                                    params->update, q.z_shift);
     }
     return status;
 }
@@ -103,9 +103,9 @@ epf_status_t epf_q15_coeffs_init(epf_q15_coeffs_t *coeffs, const epf_params_t *p
     quantities_t q;
     const epf_status_t status = derive(&q, coeffs, params, lsb, EPF_Q15_LARGEST_);
     if (status == EPF_OK) {
-        *coeffs =
-            (epf_q15_coeffs_t)EPF_Q15_DERIVE_(q.z_max, q.z_c, q.z_ba, q.v_s_inverse, q.viscous,
-                                              q.damping, q.f_max, params->stribeck, q.z_shift);
+        *coeffs = (epf_q15_coeffs_t)EPF_Q15_DERIVE_(q.z_max, q.z_c, q.z_ba, q.v_s_inverse,
+                                                    q.viscous, q.damping, q.f_max, params->stribeck,
+                                                    params->update, q.z_shift);
     }
     return status;
 }

@@ -15,7 +15,6 @@
  * With s = sgn dx_k: zeta = s z_{k-1}, zeta' = s z_k, d = |dx| > 0, dzeta = zeta' - zeta, dw = d - dzeta.
  */
 #include "guard.h"
-#include "saturated.h"
 
 /* ---- steady state: eq. (9) ------------------------------------------------------------------ */
 
@@ -60,55 +59,7 @@ static IN_LINE const point_t *set_point(contact_t *ep, signal_t v)
 
 /* ---- the state: eqs. (12) and (13) ---------------------------------------------------------- */
 
-/* y for zeta above z_ba, eq. (12): d less the plastic part alpha zeta/z_ss of it. With w the share that
-   the gap z_ss - zeta has of the span z_ss - z_ba, 1 - alpha is a half period of a sine of w, eq. (10),
-   and zeta/z_ss is 1 - w span/z_ss. */
-/*@ requires \valid_read(point) && valid_span(point);
-    requires 0 < gap && 0 < d;
-    assigns \nothing;
-    ensures 0 < \result <= d; // strict progress
-*/
-static LEAF int32_t deflecting_part(const point_t *point, int32_t gap, int32_t d)
-{
-    const fraction_t w = share_of_span(point, (uint32_t)gap);
-    const fraction_t alpha = ONE - half_sine(w);
-    const fraction_t zeta_by_z_ss = ONE - product(w, point->span_share);
-    return d - (int32_t)part((uint32_t)d, product(alpha, zeta_by_z_ss));
-}
-
-/* dzeta for so many counts of displacement, more than 0, in the direction in which z is zeta */
-/*@ requires valid_coeffs(c) && \valid_read(point) && valid_point(c, point);
-    requires -c->z_max <= zeta <= c->z_max;
-    requires 0 < counts <= SIGNAL_MAX + 1;
-    assigns \nothing;
-
-    // Theorem 1: the state is bounded
-    ensures -c->z_max <= zeta + \result <= point->z_ss;
-    // Lemma 1: below z_ss the deflection changes by between nothing and the displacement, and
-    // strictly: Theorem 2
-    ensures zeta < point->z_ss ==> 0 < \result <= counts * c->unit;
-    ensures zeta >= point->z_ss ==> zeta + \result == point->z_ss;
-    // Lemma 2: plastic displacement has the direction of the motion, and needs more than z_ba
-    ensures counts * c->unit - \result >= 0;
-    ensures counts * c->unit - \result > 0 ==> zeta + \result > c->z_ba;
-    // The elastic identity, to the unit: no drift
-    ensures zeta + counts * c->unit <= c->z_ba ==> \result == counts * c->unit;
-    // Theorem 2: a displacement of 2 z_max arrives at once
-    ensures counts * c->unit >= 2 * c->z_max ==> zeta + \result == point->z_ss;
-*/
-static IN_LINE int32_t deflection(const coeffs_t *c, const point_t *point, int32_t zeta,
-                                  uint32_t counts)
-{
-    const int32_t gap = point->z_ss - zeta;
-    /*@ assert counts < c->leap ==> counts * c->unit <= (c->leap - 1) * c->unit; */
-    /*@ assert counts >= c->leap ==> counts * c->unit >= c->leap * c->unit; */
-    if (gap <= 0 || counts >= c->leap) {
-        return gap; /* case 1, or a displacement of 2 z_max */
-    }
-    const int32_t d = (int32_t)(counts * c->unit);
-    /*@ assert d == counts * c->unit && 0 < d; */
-    return saturated(zeta > c->z_ba ? deflecting_part(point, gap, d) : d, gap);
-}
+#include "update.h"
 
 /* The state after a displacement */
 /*@ requires valid_body(ep) && \valid_read(point) && valid_point(ep->coeffs, point);

@@ -8,7 +8,7 @@
 
 #include "compiler.h"
 #include "deflection.h"
-#include "stribeck.h"
+#include "only.h"
 
 #include <stddef.h>
 
@@ -226,6 +226,41 @@ static inline float deflecting_part(const epf_f32_point_t *point, float gap, flo
     return part + elastic_share(gap * point->inv_span) * (dx - part);
 }
 
+/* 1 - v + 5/8 v^2: near the root of (1 - exp(-4 v))/(4 v), the mean of an exponential over a step */
+static inline float mean_root(float v)
+{
+    return 1.0f - v * (1.0f - 0.625f * v);
+}
+
+/* EPF_UPDATE_MEAN_VALUE: the gap at which to take eq. (12), somewhere inside the step. Both fixed-point
+   variants have it too: mean_value.h explains it. */
+static inline float mean_gap(const epf_f32_point_t *point, float z_ba, float gap, float d)
+{
+    const float p = at_most(0.25f * (d * point->inv_span), 0.625f);
+    const float u = gap * point->inv_span;
+    const float r = 1.0f - z_ba * point->inv_z_ss;
+    const float w = u - u * (1.25f * p);
+    const float b = w * (2.75f - 1.625f * w);
+    const float h = mean_root(p * (b + r * (1.0f - w * b)));
+    return gap * (h * h);
+}
+
+/* The part of a displacement that is all deflection, up to z_ba, and then what of the rest is */
+static inline float mean_deflection(const epf_f32_point_t *point, float z_ba, float room, float gap,
+                                    float d)
+{
+    const float elastic = room > 0.0f ? room : 0.0f;
+    const float rest = d - elastic;
+    const float y = deflecting_part(point, mean_gap(point, z_ba, gap - elastic, rest), rest);
+    return at_most(elastic + y, d); /* rounding may have carried it beyond */
+}
+
+/* A leap says nothing about the way: it ends in z_ss */
+static inline int is_leap(const epf_f32_coeffs_t *c, float d)
+{
+    return d >= 2.0f * c->z_max;
+}
+
 /* Where dx leads from z. In its direction s the deflection is zeta = s z, and the gap z_ss - zeta,
    in case 1 not positive. */
 typedef struct {
@@ -234,16 +269,21 @@ typedef struct {
     float y; /* eq. (12) */
 } course_t;
 
-static IN_LINE course_t course(const epf_f32_t *ep, const epf_f32_point_t *point, float z_ba,
-                               float dx)
+static IN_LINE course_t course(const epf_f32_t *ep, const epf_f32_point_t *point, float dx)
 {
-    const float s = sign_of(dx);
+    const epf_f32_coeffs_t *c = ep->coeffs;
+    const float s = sign_of(dx), d = magnitude(dx);
     const deflection_t z = {ep->z, ep->z_low};
     const float zeta = s * z.high;
     const float gap = gap_of(z, s, point->z_ss);
+    const float room = c->z_ba - zeta;
     float y = dx;
-    if (LIKELY(zeta > z_ba)) {
-        y = deflecting_part(point, gap, dx);
+    if (d > room) { /* not all elastic */
+        if (rule_in_use(c->update) == EPF_UPDATE_SATURATED) {
+            y = room < 0.0f ? deflecting_part(point, gap, dx) : dx;
+        } else if (gap > 0.0f && !is_leap(c, d)) {
+            y = s * mean_deflection(point, c->z_ba, room, gap, d);
+        }
     }
     return (course_t){z, s, gap, y};
 }
@@ -269,6 +309,28 @@ static inline void stand_still(epf_f32_t *ep)
     ep->direction = 0;
 }
 
+/* Case 1 by the mean-value rule: near 1 - exp(-q) of the excess over z_ss goes, q = d/z_ss */
+static inline int lets_go(const epf_f32_coeffs_t *c, const course_t *to)
+{
+    return rule_in_use(c->update) == EPF_UPDATE_MEAN_VALUE && to->gap < 0.0f;
+}
+
+static OUT_OF_LINE void let_go(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
+{
+    const float s = sign_of(dx), d = magnitude(dx);
+    const deflection_t z = {ep->z, ep->z_low};
+    const float gap = gap_of(z, s, point->z_ss);
+    const float q = at_most(d * point->inv_z_ss, 4.0f);
+    const float h = mean_root(0.25f * q);
+    const float share = q * (h * h);
+    if (share < 1.0f && !is_leap(ep->coeffs, d)) {
+        const float dz = s * (gap * share);
+        keep(ep, dx, sum_of(z, dz), dz);
+    } else {
+        keep(ep, dx, (deflection_t){s * point->z_ss, 0.0f}, s * gap);
+    }
+}
+
 float epf_f32_advance(epf_f32_t *ep, float dx)
 {
     if (!LIKELY(!is_zero(dx))) {
@@ -276,7 +338,7 @@ float epf_f32_advance(epf_f32_t *ep, float dx)
         return ep->z;
     }
     const epf_f32_point_t *point = published_point(ep);
-    const course_t to = course(ep, point, ep->coeffs->z_ba, dx);
+    const course_t to = course(ep, point, dx);
     deflection_t z = {to.s * point->z_ss, 0.0f};
     if (LIKELY(stays_below(&to))) {
         z = sum_of(to.z, to.y);
@@ -284,6 +346,9 @@ float epf_f32_advance(epf_f32_t *ep, float dx)
     } else if (is_nan(dx)) {
         reject(ep);
         z = to.z;
+    } else if (lets_go(ep->coeffs, &to)) {
+        let_go(ep, point, dx);
+        z.high = ep->z;
     } else {
         keep(ep, dx, z, to.s * to.gap); /* cases 1 and 3 */
     }
@@ -381,7 +446,6 @@ float epf_f32_force(epf_f32_t *ep, float dt)
 float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
 {
     const epf_f32_coeffs_t *c = ep->coeffs;
-    const float z_ba = c->z_ba;
     epf_f32_point_t point;
     if (LIKELY(make_point(&point, c, v))) {
         publish_point(ep, point);
@@ -393,7 +457,7 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
         stand_still(ep);
         return epf_f32_force(ep, dt);
     }
-    const course_t to = course(ep, &point, z_ba, dx);
+    const course_t to = course(ep, &point, dx);
     if (LIKELY(stays_below(&to))) {
         const deflection_t z = sum_of(to.z, to.y);
         const float viscous = c->sigma_2 * (to.s * magnitude(point.v));
@@ -408,6 +472,10 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
     }
     if (!LIKELY(magnitude(to.y) >= to.gap) && is_nan(dx)) { /* NaN is neither below nor above */
         reject(ep);
+        return epf_f32_force(ep, dt);
+    }
+    if (lets_go(c, &to)) {
+        let_go(ep, published_point(ep), dx);
         return epf_f32_force(ep, dt);
     }
     /* cases 1 and 3: all terms in the direction of the motion, where only the damping may oppose */
@@ -436,7 +504,7 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
     }
     const epf_params_t p = *params;
     *coeffs = (epf_f32_coeffs_t)EPF_F32_DERIVE_(p.sigma_0, p.sigma_1, p.sigma_2, p.f_c, p.f_max,
-                                                p.v_s, p.z_ba, p.stribeck);
+                                                p.v_s, p.z_ba, p.stribeck, p.update);
     return EPF_OK;
 }
 

@@ -54,6 +54,7 @@ static inline int32_t along(int32_t s, int32_t x)
     ensures 1048576 <= x ==> \result <= 11;
     ensures 16777216 <= x ==> \result <= 7;
     ensures x < 2147483648 ==> 1 <= \result;
+    ensures x < 1073741824 ==> 2 <= \result;
 */
 static inline int leading_zeros_16(uint32_t x)
 {
@@ -83,6 +84,7 @@ static inline int leading_zeros_16(uint32_t x)
     ensures 0 <= \result <= 31;
     ensures 256 <= x ==> \result <= 23;
     ensures x < 2147483648 ==> 1 <= \result;
+    ensures x < 1073741824 ==> 2 <= \result;
 */
 static inline int leading_zeros(uint32_t x)
 {

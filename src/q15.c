@@ -8,7 +8,7 @@
 
 #include "guard.h"
 #include "numbers.h"
-#include "stribeck.h"
+#include "only.h"
 
 typedef int16_t signal_t;
 typedef uint16_t duration_t;
@@ -85,6 +85,19 @@ static inline uint32_t part(uint32_t x, uint16_t a)
     return wide(high(x), a) + product((uint16_t)(x % 65536u), a);
 }
 
+/* The leading bits of a fraction of 32 bits, and the part that it is of an integer */
+/*@ assigns \nothing; */
+static inline uint16_t leading(uint32_t x)
+{
+    return high(x);
+}
+
+/*@ assigns \nothing; */
+static inline uint32_t fine_part(uint32_t x, uint32_t a)
+{
+    return part(x, high(a)) + high(part(x, (uint16_t)(a % 65536u)));
+}
+
 /* ---- reciprocals ---------------------------------------------------------------------------- */
 
 /*
@@ -97,6 +110,16 @@ static OUT_OF_LINE uint16_t inverse(uint16_t m)
     uint16_t x = (uint16_t)(92400u - (m - m / 16u));
     x = high(2u * wide(x, high(0u - wide(m, x))));
     return high(2u * wide(x, high(0u - wide(m, x))));
+}
+
+/* d/(4 z) in Q32, for d/4 < z < 2^30 */
+/*@ requires 0 < z < 1073741824;
+    assigns \nothing;
+*/
+static inline uint32_t quarter_of_ratio(uint32_t d, uint32_t z)
+{
+    const int zeros = leading_zeros(z);
+    return 2u * part(d << (zeros - 2), inverse(high(z << zeros)));
 }
 
 /* How far a time can be moved up, and 2^31 over the 16 bits that come out */

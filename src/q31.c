@@ -7,7 +7,7 @@
 
 #include "guard.h"
 #include "numbers.h"
-#include "stribeck.h"
+#include "only.h"
 
 typedef int32_t signal_t;
 typedef uint32_t duration_t;
@@ -88,6 +88,21 @@ static inline uint32_t part(uint32_t x, uint32_t a)
     return product(x, a);
 }
 
+/* A fraction of 32 bits as a fraction_t, and the part that it is of an integer */
+/*@ assigns \nothing;
+    ensures \result == x;
+*/
+static inline uint32_t leading(uint32_t x)
+{
+    return x;
+}
+
+/*@ assigns \nothing; */
+static inline uint32_t fine_part(uint32_t x, uint32_t a)
+{
+    return product(x, a);
+}
+
 /* a b, all of it */
 /*@ assigns \nothing;
     ensures \result == a * b;
@@ -116,6 +131,16 @@ static INVERSE_INLINE uint32_t inverse(uint32_t m)
     const uint32_t t = product(m, x);
     x = 16u * product(x, 805306368u - product(t, 3221225472u - t));
     return product(x, 2u * ~product(m, x)); /* 2 - t in Q31, at least 2^-31 less */
+}
+
+/* d/(4 z), for d/4 < z < 2^30 */
+/*@ requires 0 < z < 1073741824;
+    assigns \nothing;
+*/
+static inline uint32_t quarter_of_ratio(uint32_t d, uint32_t z)
+{
+    const int zeros = leading_zeros(z);
+    return 8u * product(d << (zeros - 2), inverse(z << zeros));
 }
 
 /* How far a time can be moved up, and 2^62 over what comes out */

@@ -1,28 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* The update rule of the paper, EPF_UPDATE_SATURATED, for both fixed-point variants. */
-#ifndef EPF_SATURATED_H
-#define EPF_SATURATED_H
+/* EPF_UPDATE_SATURATED: the update rule of the paper, eqs. (12) and (13). Included by update.h. */
 
-#include <stdint.h>
-
-/*
- * dzeta = zeta' - zeta below z_ss: eq. (13), cases 2 and 3. From y of eq. (12), what of the displacement
- * d is not plastic, 0 < y <= d, and from the gap z_ss - zeta > 0.
- */
-/*@ requires 0 < gap && 0 < y;
+/* dzeta for a displacement d that is not all elastic; the room for such a one is z_ba - zeta, the gap
+   z_ss - zeta */
+/*@ requires \valid_read(point) && valid_span(point);
+    requires room < gap && room < d && 0 < d;
     assigns \nothing;
-    // Theorem 1: the state does not pass z_ss
-    ensures \result <= gap;
-    // Lemmas 1 and 2: the deflection changes by between nothing and the displacement; strict progress,
-    // from which Theorem 2 follows: z_ss is reached exactly, in finitely many steps
-    ensures 0 < \result <= y;
-    // The elastic identity: what is not plastic and stays below z_ss is all deflection, to the unit
-    ensures y <= gap ==> \result == y;
-    ensures y >= gap ==> \result == gap;
+    ensures 0 < gap ==> 0 < \result <= d && \result <= gap && room < \result;
+    ensures gap <= 0 ==> \result == gap;
 */
-static inline int32_t saturated(int32_t y, int32_t gap)
+static IN_LINE int32_t saturated_rule(const point_t *point, int32_t room, int32_t gap, int32_t d)
 {
-    return y < gap ? y : gap;
+    if (gap <= 0) {
+        return gap; /* case 1 */
+    }
+    return saturated(room < 0 ? deflecting_part(point, share_of_span(point, (uint32_t)gap), d) : d,
+                     gap);
 }
-
-#endif

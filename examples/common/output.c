@@ -3,6 +3,19 @@
 
 #include "problem.h"
 
+bool output_spares(const char *written, const char *other)
+{
+    return written == NULL || other == NULL || !system_same_file(written, other) ||
+           problem("command line: expected a file of its own for each purpose, found one twice: "
+                   "\"%.200s\", \"%.200s\"",
+                   written, other);
+}
+
+static bool cannot_write(const char *name)
+{
+    return problem("%.1000s: cannot write the file", name);
+}
+
 bool output_open(output_t *output, const char *name)
 {
     output->name = name;
@@ -14,10 +27,7 @@ bool output_open(output_t *output, const char *name)
     } else {
         output->file = NULL;
     }
-    if (output->file == NULL) {
-        problem("%.1000s: cannot write the file", name);
-    }
-    return output->file != NULL;
+    return output->file != NULL || cannot_write(name);
 }
 
 static bool put_in_place(const output_t *output)
@@ -44,9 +54,8 @@ bool output_commit(output_t *output)
         system_keep();
         return true;
     }
-    problem("%.1000s: cannot write the file", output->name);
     remove_temporary(output);
-    return false;
+    return cannot_write(output->name);
 }
 
 void output_discard(output_t *output)
@@ -58,9 +67,5 @@ void output_discard(output_t *output)
 bool output_finish_stdout(void)
 {
     const bool printed = !ferror(stdout);
-    if (fclose(stdout) == 0 && printed) {
-        return true;
-    }
-    problem("stdout: cannot write everything");
-    return false;
+    return (fclose(stdout) == 0 && printed) || problem("stdout: cannot write everything");
 }

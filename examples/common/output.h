@@ -17,6 +17,10 @@ typedef struct {
     char temporary[SYSTEM_NAME_MAX + 1];
 } output_t;
 
+/* To be asked before anything is written: does it leave the other file as it is? Either may be NULL, for
+   none. False, and the problem reported, if it does not. */
+bool output_spares(const char *written, const char *other);
+
 /* False, and the problem reported, if the file cannot be written. The name must outlive it. */
 bool output_open(output_t *output, const char *name);
 

@@ -8,226 +8,222 @@
 #include <stdio.h>
 #include <string.h>
 
-enum {
-    SIGMA_0,
-    SIGMA_1,
-    SIGMA_2,
-    F_C,
-    F_MAX,
-    V_S,
-    Z_BA,
-    LSB_X,
-    LSB_V,
-    LSB_F,
-    LSB_T,
-    STRIBECK,
-    PARAMETERS
+const option_t parameters_options[PARAMETERS] = {
+    [PARAMETER_SIGMA_0] = {"--sigma_0", "VALUE", "stiffness of the contact, N/m"},
+    [PARAMETER_SIGMA_1] = {"--sigma_1", "VALUE", "damping of the contact, N s/m (0)"},
+    [PARAMETER_SIGMA_2] = {"--sigma_2", "VALUE", "viscous friction, N s/m (0)"},
+    [PARAMETER_F_C] = {"--f_c", "VALUE", "Coulomb friction, N"},
+    [PARAMETER_F_MAX] = {"--f_max", "VALUE", "largest static friction, N (f_c)"},
+    [PARAMETER_V_S] = {"--v_s", "VALUE", "Stribeck velocity, m/s (1e-3)"},
+    [PARAMETER_Z_BA] = {"--z_ba", "VALUE", "break-away deflection, m"},
+    [PARAMETER_STRIBECK] = {"--stribeck", "FORM", "lorentzian, gaussian or coulomb (lorentzian)"},
+    [PARAMETER_UPDATE] = {"--update", "RULE", "saturated or mean_value (saturated)"},
+    [PARAMETER_LSB_X] = {"--lsb_x", "VALUE",
+                         "with q31 and q15, what 1 in each signal weighs:\n"
+                         "displacement, m (z_max/1e6, z_max/16000)"},
+    [PARAMETER_LSB_V] = {"--lsb_v", "VALUE", "velocity, m/s (v_s/1e5, v_s/100)"},
+    [PARAMETER_LSB_F] = {"--lsb_f", "VALUE", "force, N (f_max/1e6, f_max/16000)"},
+    [PARAMETER_LSB_T] = {"--lsb_t", "VALUE", "time, s (1e-6, 1e-5)"},
 };
-static const unsigned lsb_bits = 1u << LSB_X | 1u << LSB_V | 1u << LSB_F | 1u << LSB_T;
 
-static const char *const names[PARAMETERS] = {"sigma_0", "sigma_1", "sigma_2", "f_c",
-                                              "f_max",   "v_s",     "z_ba",    "lsb_x",
-                                              "lsb_v",   "lsb_f",   "lsb_t",   "stribeck"};
-
-static const char *const stribeck_names[] = {
-    [EPF_STRIBECK_LORENTZIAN] = "lorentzian",
-    [EPF_STRIBECK_GAUSSIAN] = "gaussian",
-    [EPF_STRIBECK_COULOMB] = "coulomb",
+/* Parameters whose value is one of several words. Words of 0: the value is a number. */
+static const struct {
+    int words;
+    const char *word[3];
+    const char *expected;
+} choices[PARAMETERS] = {
+    [PARAMETER_STRIBECK] = {3,
+                            {[EPF_STRIBECK_LORENTZIAN] = "lorentzian",
+                             [EPF_STRIBECK_GAUSSIAN] = "gaussian",
+                             [EPF_STRIBECK_COULOMB] = "coulomb"},
+                            "lorentzian, gaussian or coulomb"},
+    [PARAMETER_UPDATE] =
+        {2,
+         {[EPF_UPDATE_SATURATED] = "saturated", [EPF_UPDATE_MEAN_VALUE] = "mean_value"},
+         "saturated or mean_value"},
 };
-enum { STRIBECK_FORMS = sizeof stribeck_names / sizeof stribeck_names[0] };
 
-/* The place of `text` among `count` names; `count` if it is none of them */
-static int find(const char *text, const char *const *among, int count)
+#define BIT(parameter) (1u << (parameter))
+static const unsigned weights_bits =
+    BIT(PARAMETER_LSB_X) | BIT(PARAMETER_LSB_V) | BIT(PARAMETER_LSB_F) | BIT(PARAMETER_LSB_T);
+
+static const char *name_of(int parameter)
+{
+    return parameters_options[parameter].name + strlen("--");
+}
+
+static bool is_given(const parameters_t *set, int parameter)
+{
+    return (set->given & BIT(parameter)) != 0;
+}
+
+static void give(parameters_t *set, int parameter, float value)
+{
+    set->value[parameter] = value;
+    set->given |= BIT(parameter);
+}
+
+/* ---- by name -------------------------------------------------------------------------------- */
+
+static int find(const char *name)
 {
     int i = 0;
-    while (i < count && strcmp(text, among[i]) != 0) {
+    while (i < PARAMETERS && strcmp(name, name_of(i)) != 0) {
         i++;
     }
     return i;
 }
 
-/* Where a number lives; not for STRIBECK, which is none */
-static float *number(parameters_t *set, int parameter)
+static bool set_choice(parameters_t *set, const char *place, int parameter, const char *value)
 {
-    epf_params_t *const params = &set->values;
-    epf_lsb_t *const lsb = &set->lsb;
-    float *const numbers[] = {&params->sigma_0, &params->sigma_1, &params->sigma_2, &params->f_c,
-                              &params->f_max,   &params->v_s,     &params->z_ba,    &lsb->x,
-                              &lsb->v,          &lsb->f,          &lsb->t};
-    return numbers[parameter];
-}
-
-static bool is_given(const parameters_t *set, int parameter)
-{
-    return (set->given >> parameter & 1u) != 0;
-}
-
-bool parameters_known(const char *name)
-{
-    return find(name, names, PARAMETERS) < PARAMETERS;
-}
-
-static bool set_stribeck(parameters_t *set, const char *place, const char *value)
-{
-    const int form = find(value, stribeck_names, STRIBECK_FORMS);
-    if (form == STRIBECK_FORMS) {
-        problem("%s: stribeck: expected lorentzian, gaussian or coulomb, " FOUND, place, value);
-        return false;
+    for (int i = 0; i < choices[parameter].words; i++) {
+        if (strcmp(value, choices[parameter].word[i]) == 0) {
+            give(set, parameter, (float)i);
+            return true;
+        }
     }
-    set->values.stribeck = (epf_stribeck_t)form;
-    return true;
+    return problem("%s: %s: expected %s, " FOUND, place, name_of(parameter),
+                   choices[parameter].expected, value);
 }
 
 static bool set_number(parameters_t *set, const char *place, int parameter, const char *value)
 {
     double parsed;
     if (!text_number(value, &parsed) || parsed > (double)FLT_MAX || parsed < (double)-FLT_MAX) {
-        problem("%s: %s: expected a finite number, " FOUND, place, names[parameter], value);
-        return false;
+        return problem("%s: %s: expected a finite number, " FOUND, place, name_of(parameter),
+                       value);
     }
-    *number(set, parameter) = (float)parsed;
+    give(set, parameter, (float)parsed);
     return true;
 }
 
 bool parameters_set(parameters_t *set, const char *place, const char *name, const char *value)
 {
-    const int parameter = find(name, names, PARAMETERS);
+    const int parameter = find(name);
     if (parameter == PARAMETERS) {
-        problem("%s: expected a parameter (sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, "
-                "lsb_x, lsb_v, lsb_f, lsb_t, stribeck), " FOUND,
-                place, name);
-        return false;
+        return problem("%s: expected a parameter (such as f_c, see --help), " FOUND, place, name);
     }
     if (is_given(set, parameter)) {
-        problem("%s: %s: expected once, found again", place, name);
-        return false;
+        return problem("%s: %s: expected once, found again", place, name);
     }
-    set->given |= 1u << parameter;
-    return parameter == STRIBECK ? set_stribeck(set, place, value)
-                                 : set_number(set, place, parameter, value);
+    return choices[parameter].words != 0 ? set_choice(set, place, parameter, value)
+                                         : set_number(set, place, parameter, value);
 }
 
-/* ---- file ----------------------------------------------------------------------------------- */
+/* ---- together ------------------------------------------------------------------------------- */
 
-static bool read_line(parameters_t *from_file, text_t *text)
-{
-    char place[1200];
-    (void)snprintf(place, sizeof place, "%.1000s:%lu", text->name, text->number);
-
-    text->line[strcspn(text->line, "#")] = '\0';
-    char *const line = text_trim(text->line);
-    if (*line == '\0') {
-        return true;
-    }
-    char *const equals = strchr(line, '=');
-    if (equals == NULL) {
-        problem("%s: expected name = value, " FOUND, place, line);
-        return false;
-    }
-    *equals = '\0';
-    return parameters_set(from_file, place, text_trim(line), text_trim(equals + 1));
-}
-
-static void add_missing(parameters_t *set, parameters_t *more)
+void parameters_add(parameters_t *set, const parameters_t *more)
 {
     for (int i = 0; i < PARAMETERS; i++) {
-        if (is_given(set, i) || !is_given(more, i)) {
-            continue;
-        }
-        set->given |= 1u << i;
-        if (i == STRIBECK) {
-            set->values.stribeck = more->values.stribeck;
-        } else {
-            *number(set, i) = *number(more, i);
+        if (is_given(more, i) && !is_given(set, i)) {
+            give(set, i, more->value[i]);
         }
     }
 }
-
-bool parameters_read(parameters_t *set, const char *file_name)
-{
-    text_t text;
-    if (!text_open(&text, file_name)) {
-        return false;
-    }
-    parameters_t from_file = {.given = 0};
-    bool good = true;
-    text_status_t status = TEXT_LINE;
-    while (good && (status = text_next(&text)) == TEXT_LINE) {
-        good = read_line(&from_file, &text);
-    }
-    text_close(&text);
-    add_missing(set, &from_file);
-    return good && status == TEXT_END;
-}
-
-/* ---- checks --------------------------------------------------------------------------------- */
 
 static bool require(const parameters_t *set, int parameter)
 {
-    if (!is_given(set, parameter)) {
-        problem("%s is not given: expected --%s VALUE, or a line %s = VALUE in --params FILE",
-                names[parameter], names[parameter], names[parameter]);
-    }
-    return is_given(set, parameter);
+    const char *name = name_of(parameter);
+    return is_given(set, parameter) ||
+           problem("%s is not given: expected --%s VALUE, or a line %s = VALUE in --params FILE",
+                   name, name, name);
 }
 
 bool parameters_complete(parameters_t *set)
 {
-    if (!require(set, SIGMA_0) || !require(set, F_C) || !require(set, Z_BA)) {
+    if (!require(set, PARAMETER_SIGMA_0) || !require(set, PARAMETER_F_C) ||
+        !require(set, PARAMETER_Z_BA)) {
         return false;
     }
-    parameters_t defaults = {
-        .values = {.sigma_1 = 0.0f,
-                   .sigma_2 = 0.0f,
-                   .f_max = set->values.f_c,
-                   .v_s = 1e-3f,
-                   .stribeck = EPF_STRIBECK_LORENTZIAN},
-        .given = 1u << SIGMA_1 | 1u << SIGMA_2 | 1u << F_MAX | 1u << V_S | 1u << STRIBECK,
-    };
-    add_missing(set, &defaults);
+    parameters_t defaults = {.given = 0};
+    give(&defaults, PARAMETER_SIGMA_1, 0.0f);
+    give(&defaults, PARAMETER_SIGMA_2, 0.0f);
+    give(&defaults, PARAMETER_F_MAX, set->value[PARAMETER_F_C]);
+    give(&defaults, PARAMETER_V_S, 1e-3f);
+    give(&defaults, PARAMETER_STRIBECK, (float)EPF_STRIBECK_LORENTZIAN);
+    give(&defaults, PARAMETER_UPDATE, (float)EPF_UPDATE_SATURATED);
+    parameters_add(set, &defaults);
     return true;
 }
 
-bool parameters_have_lsb(const parameters_t *set)
+bool parameters_have_weights(const parameters_t *set)
 {
-    return (set->given & lsb_bits) != 0;
+    return (set->given & weights_bits) != 0;
 }
 
-void parameters_complete_lsb(parameters_t *set, const epf_lsb_t *defaults)
+void parameters_add_weights(parameters_t *set, const epf_lsb_t *weights)
 {
-    parameters_t more = {.lsb = *defaults, .given = lsb_bits};
-    add_missing(set, &more);
+    parameters_t more = {.given = 0};
+    give(&more, PARAMETER_LSB_X, weights->x);
+    give(&more, PARAMETER_LSB_V, weights->v);
+    give(&more, PARAMETER_LSB_F, weights->f);
+    give(&more, PARAMETER_LSB_T, weights->t);
+    parameters_add(set, &more);
 }
 
-void parameters_refused(const parameters_t *set, epf_status_t status)
+/* ---- as the library takes them -------------------------------------------------------------- */
+
+epf_params_t parameters_model(const parameters_t *set)
 {
-    parameters_t values = *set;
-    char shown[512] = "";
+    const float *const value = set->value;
+    return (epf_params_t){
+        .sigma_0 = value[PARAMETER_SIGMA_0],
+        .sigma_1 = value[PARAMETER_SIGMA_1],
+        .sigma_2 = value[PARAMETER_SIGMA_2],
+        .f_c = value[PARAMETER_F_C],
+        .f_max = value[PARAMETER_F_MAX],
+        .v_s = value[PARAMETER_V_S],
+        .z_ba = value[PARAMETER_Z_BA],
+        .stribeck = (epf_stribeck_t)value[PARAMETER_STRIBECK],
+        .update = (epf_update_t)value[PARAMETER_UPDATE],
+    };
+}
+
+epf_lsb_t parameters_weights(const parameters_t *set)
+{
+    const float *const value = set->value;
+    return (epf_lsb_t){value[PARAMETER_LSB_X], value[PARAMETER_LSB_V], value[PARAMETER_LSB_F],
+                       value[PARAMETER_LSB_T]};
+}
+
+/* The parameters that a refusal is about */
+static unsigned involved(epf_status_t status)
+{
     static const struct {
         epf_status_t status;
-        unsigned involved; /* the parameters that the refusal is about */
+        unsigned parameters;
     } causes[] = {
-        {EPF_ERR_SIGMA_0, 1u << SIGMA_0},
-        {EPF_ERR_SIGMA_1, 1u << SIGMA_1},
-        {EPF_ERR_SIGMA_2, 1u << SIGMA_2},
-        {EPF_ERR_F_C, 1u << F_C},
-        {EPF_ERR_F_MAX, 1u << F_MAX | 1u << F_C},
-        {EPF_ERR_V_S, 1u << V_S},
-        {EPF_ERR_Z_BA, 1u << Z_BA | 1u << F_C | 1u << SIGMA_0},
-        {EPF_ERR_LSB_X, 1u << LSB_X | 1u << Z_BA},
-        {EPF_ERR_LSB_V, 1u << LSB_V},
-        {EPF_ERR_LSB_F, 1u << LSB_F | 1u << F_MAX},
-        {EPF_ERR_LSB_T, 1u << LSB_T},
-        {EPF_ERR_RANGE, 1u << SIGMA_0 | 1u << F_C | 1u << F_MAX | 1u << Z_BA},
+        {EPF_ERR_SIGMA_0, BIT(PARAMETER_SIGMA_0)},
+        {EPF_ERR_SIGMA_1, BIT(PARAMETER_SIGMA_1)},
+        {EPF_ERR_SIGMA_2, BIT(PARAMETER_SIGMA_2)},
+        {EPF_ERR_F_C, BIT(PARAMETER_F_C)},
+        {EPF_ERR_F_MAX, BIT(PARAMETER_F_MAX) | BIT(PARAMETER_F_C)},
+        {EPF_ERR_V_S, BIT(PARAMETER_V_S)},
+        {EPF_ERR_Z_BA, BIT(PARAMETER_Z_BA) | BIT(PARAMETER_F_C) | BIT(PARAMETER_SIGMA_0)},
+        {EPF_ERR_LSB_X, BIT(PARAMETER_LSB_X) | BIT(PARAMETER_Z_BA)},
+        {EPF_ERR_LSB_V, BIT(PARAMETER_LSB_V)},
+        {EPF_ERR_LSB_F, BIT(PARAMETER_LSB_F) | BIT(PARAMETER_F_MAX)},
+        {EPF_ERR_LSB_T, BIT(PARAMETER_LSB_T)},
+        {EPF_ERR_RANGE,
+         BIT(PARAMETER_SIGMA_0) | BIT(PARAMETER_F_C) | BIT(PARAMETER_F_MAX) | BIT(PARAMETER_Z_BA)},
     };
     for (size_t k = 0; k < sizeof causes / sizeof causes[0]; k++) {
-        for (int i = 0; causes[k].status == status && i < STRIBECK; i++) {
-            if ((causes[k].involved >> i & 1u) != 0) {
-                const size_t length = strlen(shown);
-                (void)snprintf(shown + length, sizeof shown - length, ", found %s = %.9g", names[i],
-                               (double)*number(&values, i));
-            }
+        if (causes[k].status == status) {
+            return causes[k].parameters;
         }
     }
-    problem("the parameters are refused: %s%s", epf_status_text(status), shown);
+    return 0;
+}
+
+bool parameters_refused(const parameters_t *set, epf_status_t status)
+{
+    char shown[512] = "";
+    for (int i = 0; i < PARAMETERS; i++) {
+        if ((involved(status) & BIT(i)) != 0) {
+            const size_t length = strlen(shown);
+            (void)snprintf(shown + length, sizeof shown - length, ", found %s = %.9g", name_of(i),
+                           (double)set->value[i]);
+        }
+    }
+    return problem("the parameters are refused: %s%s", epf_status_text(status), shown);
 }

@@ -4,11 +4,13 @@
 #define PICTURE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
-/* Has gnuplot draw `data` into `picture`. False if that did not work: gnuplot may be missing. */
-bool picture_draw(const char *script, const char *data, const char *picture);
+/* Draws `data` into `picture` and says so on stdout. Without gnuplot, which is another program and may be
+   missing, it prints the command that would do it, ready to be pasted into a shell. */
+void picture_make(const char *script, const char *data, const char *picture);
 
-/* Prints the command that draws the picture, ready to be pasted into a shell */
-void picture_print_command(const char *script, const char *data, const char *picture);
+/* The name of a picture beside its data: with .png in place of their ending. False if it does not fit. */
+bool picture_name(char *name, size_t size, const char *data);
 
 #endif

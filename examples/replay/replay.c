@@ -9,15 +9,13 @@
 /* How near to z_ss the state counts as having reached it: it tends to z_ss exponentially */
 static const float nearly = 0.99f;
 
-epf_status_t replay_start(replay_t *replay, const replay_setup_t *setup)
+bool replay_start(replay_t *replay, const setup_t *setup, const csv_record_t *record)
 {
-    *replay = (replay_t){.setup = *setup};
-    const epf_status_t status =
-        estimator_start(&replay->reference, &variant_f32, &setup->params, NULL);
-    if (status != EPF_OK) {
-        return status;
-    }
-    return estimator_start(&replay->estimator, setup->variant, &setup->params, &setup->lsb);
+    setup_t reference = *setup;
+    reference.variant = &variant_f32;
+    *replay = (replay_t){.has_velocity = csv_has(record, RECORD_VELOCITY),
+                         .has_force = csv_has(record, RECORD_FORCE)};
+    return setup_start(&reference, &replay->reference) && setup_start(setup, &replay->estimator);
 }
 
 const epf_f32_coeffs_t *replay_model(const replay_t *replay)
@@ -40,7 +38,7 @@ static motion_t motion_to(const replay_t *replay, const csv_row_t *row)
         .end_x = now[RECORD_POSITION] - first[RECORD_POSITION],
         .end_t = now[RECORD_TIME] - first[RECORD_TIME],
     };
-    motion.v = replay->setup.has_velocity ? now[RECORD_VELOCITY] : motion.dx / motion.dt;
+    motion.v = replay->has_velocity ? now[RECORD_VELOCITY] : motion.dx / motion.dt;
     return motion;
 }
 
@@ -108,7 +106,7 @@ static replay_sample_t sample_of(const replay_t *replay, const csv_row_t *row,
         .z_m = estimate->z_m,
         .force_N = estimate->force_N,
     };
-    if (replay->setup.has_force) {
+    if (replay->has_force) {
         sample.measured_N = row->value[RECORD_FORCE];
         sample.residual_N = sample.measured_N - sample.force_N;
     }

@@ -81,6 +81,7 @@ typedef struct {
     float z_excess;          /**< z_max - z_c, m */
     float z_max;             /**< f_max/sigma_0, m, rounded to z_c + z_excess: the largest state */
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
+    epf_update_t update;     /**< update rule */
 } epf_f32_coeffs_t;
 
 /** All that follows from the velocity alone. Private. */

@@ -36,7 +36,7 @@ typedef enum {
     EPF_ERR_V_S,        /**< v_s is not positive */
     EPF_ERR_Z_BA,       /**< z_ba is not between 0 and z_c = f_c/sigma_0 */
     EPF_ERR_STRIBECK,   /**< stribeck is not a form that this build has */
-    EPF_ERR_UPDATE,     /**< update is not an update rule of this version */
+    EPF_ERR_UPDATE,     /**< update is not a rule that this build has */
     EPF_ERR_LSB_X,      /**< lsb.x is not positive, too coarse for z_ba or too fine for z_max */
     EPF_ERR_LSB_V,      /**< lsb.v is not positive, or far from v_s and sigma_2 */
     EPF_ERR_LSB_F,      /**< lsb.f is not positive, or f_max is not within its integers */
@@ -55,10 +55,15 @@ typedef enum {
     EPF_STRIBECK_COULOMB         /**< eq. (6): f_c at every speed but 0, where (9) has f_max */
 } epf_stribeck_t;
 
-/** How the state advances over one displacement. */
+/**
+ * How the state advances over one displacement. Take EPF_UPDATE_MEAN_VALUE, which comes as close to the
+ * continuous model as any rule can, unless you want the published algorithm; give either the mean
+ * velocity of the displacement, dx/dt, not the velocity at its end. The theorems hold for both. Where one
+ * rule is enough, define EPF_UPDATE_ONLY to it, as EPF_STRIBECK_ONLY to a form.
+ */
 typedef enum {
     EPF_UPDATE_SATURATED = 0, /**< Algorithm 1 of the paper, eqs. (12) and (13) */
-    EPF_UPDATE_MEAN_VALUE   /**< reserved: this version refuses it with EPF_ERR_UPDATE */
+    EPF_UPDATE_MEAN_VALUE     /**< (12) and (13) at a deflection inside the step */
 } epf_update_t;
 
 /**

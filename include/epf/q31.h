@@ -27,6 +27,7 @@ typedef struct {
  */
 typedef struct {
     epf_stribeck_t stribeck; /**< form of f_ss(v) */
+    epf_update_t update;     /**< update rule */
     int32_t z_max;           /**< f_max/sigma_0, u: no state is ever larger; 2^29 to 2^30 - 1 */
     int32_t z_c;             /**< f_c/sigma_0, u */
     int32_t z_ba;            /**< break-away deflection, u; at least one count of displacement */

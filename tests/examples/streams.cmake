@@ -146,6 +146,16 @@ elseif(CASE STREQUAL "full_disk_is_reported")
     must_fail("file.csv: cannot write")
     must_be(file.csv "earlier")
 
+elseif(CASE STREQUAL "progress_is_a_line_on_a_terminal_and_then_removed")
+    set(ENV{PROGRAM} "${PROGRAM}")
+    list(JOIN arguments " " words)
+    set(command script -qec "\"$PROGRAM\" ${words} --out file.csv" /dev/null) # gives it a terminal
+    run()
+    must_succeed()
+    if(NOT stdout MATCHES "^row 1\r     \rrecord ")
+        message(SEND_ERROR "expected a line of progress, removed")
+    endif()
+
 else()
     message(FATAL_ERROR "no such case: ${CASE}")
 endif()

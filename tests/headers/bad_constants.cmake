@@ -51,7 +51,7 @@ function(all_parameters name end)
         "${name}(1e5f,63.0f,0.0f,1.0f,1e38f,1e-5f,8e-6f,${rest}${end})")
     refuses(stribeck_must_be_a_form_of_this_build
         "${name}(1e5f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f,7,EPF_UPDATE_SATURATED${end})" BRIEF)
-    refuses(update_must_be_a_rule_of_this_version
+    refuses(update_must_be_a_rule_of_this_build
         "${name}(1e5f,63.0f,0.0f,1.0f,1.1f,1e-5f,8e-6f,EPF_STRIBECK_GAUSSIAN,1${end})" BRIEF)
 endfunction()
 

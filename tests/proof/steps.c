@@ -4,7 +4,7 @@
  * puts them, and the theorems in mathematical integers. Nothing here is compiled into the library.
  */
 #include "guard.h"
-#include "saturated.h"
+#include "steps.h"
 
 /* The internal force of one step, f = zeta' + 2^8 (the other terms), eq. (14), in sigma_0 u. y is what a
    variant makes of eq. (12): any part of d but none, and all of it up to z_ba. */

@@ -40,8 +40,12 @@
 #define EPF_STRIBECK_OK_(stribeck) \
     (EPF_CAST_(unsigned, stribeck) <= EPF_CAST_(unsigned, EPF_STRIBECK_COULOMB))
 #endif
+#ifdef EPF_UPDATE_ONLY
+#define EPF_UPDATE_OK_(update) (EPF_CAST_(unsigned, update) == EPF_CAST_(unsigned, EPF_UPDATE_ONLY))
+#else
 #define EPF_UPDATE_OK_(update) \
-    (EPF_CAST_(unsigned, update) == EPF_CAST_(unsigned, EPF_UPDATE_SATURATED))
+    (EPF_CAST_(unsigned, update) <= EPF_CAST_(unsigned, EPF_UPDATE_MEAN_VALUE))
+#endif
 #define EPF_RANGE_OK_(f_max, z_max, z_c, z_ba) \
     ((f_max) <= FLT_MAX / 16.0f && (z_max) <= FLT_MAX / 16.0f && (z_c) - (z_ba) >= FLT_MIN)
 
@@ -65,7 +69,7 @@ EPF_CAUSE_(f_max_must_be_at_least_f_c)
 EPF_CAUSE_(v_s_must_be_positive)
 EPF_CAUSE_(z_ba_must_be_positive_and_below_z_c)
 EPF_CAUSE_(stribeck_must_be_a_form_of_this_build)
-EPF_CAUSE_(update_must_be_a_rule_of_this_version)
+EPF_CAUSE_(update_must_be_a_rule_of_this_build)
 EPF_CAUSE_(the_parameters_leave_the_range_of_float)
 EPF_CAUSE_(lsb_x_must_be_at_most_z_ba_and_not_far_too_fine)
 EPF_CAUSE_(lsb_v_must_be_positive_and_not_far_from_v_s)
@@ -91,7 +95,7 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
      EPF_REQUIRE_(EPF_POSITIVE_(v_s), v_s_must_be_positive) +                                   \
      EPF_REQUIRE_(EPF_Z_BA_OK_(z_ba, (f_c) / (sigma_0)), z_ba_must_be_positive_and_below_z_c) + \
      EPF_REQUIRE_(EPF_STRIBECK_OK_(stribeck), stribeck_must_be_a_form_of_this_build) +          \
-     EPF_REQUIRE_(EPF_UPDATE_OK_(update), update_must_be_a_rule_of_this_version) +              \
+     EPF_REQUIRE_(EPF_UPDATE_OK_(update), update_must_be_a_rule_of_this_build) +                \
      EPF_REQUIRE_(EPF_RANGE_OK_(f_max, (f_max) / (sigma_0), (f_c) / (sigma_0), z_ba),           \
                   the_parameters_leave_the_range_of_float))
 
@@ -107,15 +111,16 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
         sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba,                                      \
         EPF_CAST_(epf_stribeck_t,                                                              \
                   (stribeck) + EPF_REQUIRE_PARAMS_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, \
-                                                   z_ba, stribeck, update)))
+                                                   z_ba, stribeck, update)),                   \
+        update)
 
 /* What both ways of making coefficients share. */
-#define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck)      \
-    {                                                                                    \
-        (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), EPF_F32_INVERSE_(v_s), (z_ba),  \
-            (f_c) / (sigma_0), EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),  \
-            (f_c) / (sigma_0) + EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)), \
-            (stribeck)                                                                   \
+#define EPF_F32_DERIVE_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck, update) \
+    {                                                                                       \
+        (sigma_0), (sigma_1), (sigma_2), (f_c), (f_max), EPF_F32_INVERSE_(v_s), (z_ba),     \
+            (f_c) / (sigma_0), EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),     \
+            (f_c) / (sigma_0) + EPF_F32_EXCESS_((f_c) / (sigma_0), (f_max) / (sigma_0)),    \
+            (stribeck), (update)                                                            \
     }
 
 /* 1/v_s, not so small that some cores take it for 0 */
@@ -250,28 +255,31 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
  * force of one lsb.v in sigma_0 lsb.x; sigma_1/sigma_0 in lsb.t; f_max in lsb.f. The form comes first,
  * with the conditions: the first error is then the cause, whatever else a bad parameter does.
  */
-#define EPF_Q31_DERIVE_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, f_max, stribeck, z_shift) \
-    {                                                                                              \
-        (stribeck), EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift),                                 \
-            EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift), EPF_Q31_GAIN_(v_s_inverse, 20, 30),    \
-            EPF_Q31_GAIN_(viscous, (z_shift)-8, 28),                                               \
-            EPF_DAMPING_LEADING_(uint32_t, damping, 31, 6),                                        \
-            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), 6) - 37),                      \
-            EPF_LEADING_(uint32_t, (f_max) / (z_max), 24),                                         \
-            EPF_CAST_(uint8_t, 23 + (z_shift)-EPF_EXPONENT_((f_max) / (z_max))),                   \
-            EPF_CAST_(uint8_t, z_shift)                                                            \
+#define EPF_Q31_DERIVE_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, f_max, stribeck, update, \
+                        z_shift)                                                                  \
+    {                                                                                             \
+        (stribeck), (update), EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift),                      \
+            EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift), EPF_Q31_GAIN_(v_s_inverse, 20, 30),   \
+            EPF_Q31_GAIN_(viscous, (z_shift)-8, 28),                                              \
+            EPF_DAMPING_LEADING_(uint32_t, damping, 31, 6),                                       \
+            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), 6) - 37),                     \
+            EPF_LEADING_(uint32_t, (f_max) / (z_max), 24),                                        \
+            EPF_CAST_(uint8_t, 23 + (z_shift)-EPF_EXPONENT_((f_max) / (z_max))),                  \
+            EPF_CAST_(uint8_t, z_shift)                                                           \
     }
 
-#define EPF_Q15_DERIVE_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, f_max, stribeck, z_shift) \
-    {                                                                                              \
-        (stribeck), EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift), EPF_Q15_RATIO_(v_s_inverse),    \
-            EPF_Q15_LEAP_(EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift)),                         \
-            EPF_Q15_GAIN_(viscous, (z_shift)-8),                                                   \
-            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), -9) - 22),                     \
-            EPF_DAMPING_LEADING_(uint16_t, damping, 15, -9),                                       \
-            EPF_LEADING_(uint16_t, (f_max) / (z_max), 16),                                         \
-            EPF_CAST_(uint8_t, (z_shift)-10 - EPF_EXPONENT_((f_max) / (z_max))),                   \
-            EPF_CAST_(uint8_t, z_shift)                                                            \
+#define EPF_Q15_DERIVE_(z_max, z_c, z_ba, v_s_inverse, viscous, damping, f_max, stribeck, update, \
+                        z_shift)                                                                  \
+    {                                                                                             \
+        (stribeck), (update), EPF_FIXED_LENGTHS_(z_max, z_c, z_ba, z_shift),                      \
+            EPF_Q15_RATIO_(v_s_inverse),                                                          \
+            EPF_Q15_LEAP_(EPF_LEAP_(EPF_UNITS_(z_max, z_shift), z_shift)),                        \
+            EPF_Q15_GAIN_(viscous, (z_shift)-8),                                                  \
+            EPF_CAST_(int8_t, EPF_AT_LEAST_(EPF_EXPONENT_(damping), -9) - 22),                    \
+            EPF_DAMPING_LEADING_(uint16_t, damping, 15, -9),                                      \
+            EPF_LEADING_(uint16_t, (f_max) / (z_max), 16),                                        \
+            EPF_CAST_(uint8_t, (z_shift)-10 - EPF_EXPONENT_((f_max) / (z_max))),                  \
+            EPF_CAST_(uint8_t, z_shift)                                                           \
     }
 
 /* The leading bits of the damping; so small a one that it would need too long a shift has fewer */
@@ -287,10 +295,10 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
 
 /* From SI units to the arguments of a DERIVE */
 #define EPF_FIXED_DERIVE_(derive, sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba, stribeck,      \
-                          lsb_x, lsb_v, lsb_f, lsb_t)                                              \
+                          update, lsb_x, lsb_v, lsb_f, lsb_t)                                      \
     derive(EPF_COUNTS_(f_max, sigma_0, lsb_x), EPF_COUNTS_(f_c, sigma_0, lsb_x), (z_ba) / (lsb_x), \
            EPF_V_S_INVERSE_(v_s, lsb_v), EPF_VISCOUS_(sigma_2, sigma_0, lsb_x, lsb_v),             \
-           EPF_DAMPING_(sigma_1, sigma_0, lsb_t), (f_max) / (lsb_f), stribeck,                     \
+           EPF_DAMPING_(sigma_1, sigma_0, lsb_t), (f_max) / (lsb_f), stribeck, update,             \
            EPF_Z_SHIFT_(EPF_COUNTS_(f_max, sigma_0, lsb_x)))
 
 /* Checked, with every number a float: the fields of epf_params_t, then those of epf_lsb_t, in their order */
@@ -311,6 +319,6 @@ EPF_CAUSE_(lsb_t_must_be_positive_and_not_far_too_fine)
                                                         v_s, z_ba, stribeck, update) +            \
                                     EPF_REQUIRE_LSB_(sigma_0, sigma_1, sigma_2, f_c, f_max, v_s,  \
                                                      z_ba, lsb_x, lsb_v, lsb_f, lsb_t, largest)), \
-                      lsb_x, lsb_v, lsb_f, lsb_t)
+                      update, lsb_x, lsb_v, lsb_f, lsb_t)
 
 #endif

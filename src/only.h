@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* EPF_STRIBECK_ONLY, where all variants ask for it. */
-#ifndef EPF_STRIBECK_H
-#define EPF_STRIBECK_H
+/* EPF_STRIBECK_ONLY and EPF_UPDATE_ONLY, where all variants ask for them. */
+#ifndef EPF_ONLY_H
+#define EPF_ONLY_H
 
 #include "epf/params.h"
 
@@ -14,6 +14,18 @@ static inline epf_stribeck_t form_in_use(epf_stribeck_t form)
     return EPF_STRIBECK_ONLY;
 #else
     return form;
+#endif
+}
+
+/* The same of the update rule */
+/*@ assigns \nothing; */
+static inline epf_update_t rule_in_use(epf_update_t rule)
+{
+#ifdef EPF_UPDATE_ONLY
+    (void)rule;
+    return EPF_UPDATE_ONLY;
+#else
+    return rule;
 #endif
 }
 
