@@ -73,6 +73,48 @@ double oracle_update(const epf_params_t *p, double z, double dx, double v)
     return (next - z_ss) * sgn(dx) > 0.0 ? z_ss : next;
 }
 
+/* 1 - v + 5/8 v^2 */
+static double mean_root(double v)
+{
+    return 1.0 - v + 0.625 * v * v;
+}
+
+/* From above z_ss, zeta towards z_ss = zs > 0 */
+static double mean_value_above(double zeta, double d, double zs)
+{
+    const double q = d / zs;
+    const double h = mean_root(fmin(q, 4.0) / 4.0);
+    return zs + (zeta - zs) * (1.0 - fmin(q * h * h, 1.0));
+}
+
+/* From z_ba <= zeta < z_ss */
+static double mean_value_below(const epf_params_t *p, double zeta, double d, double zs)
+{
+    const double span = zs - (double)p->z_ba;
+    const double u = (zs - zeta) / span;
+    const double quarter = fmin(d / (4.0 * span), 5.0 / 8.0);
+    const double w = u * (1.0 - 1.25 * quarter);
+    const double b = w * (11.0 / 4.0 - 13.0 / 8.0 * w);
+    const double v = quarter * (b + span / zs * (1.0 - w * b));
+    const double zeta_m = zs - (zs - zeta) * mean_root(v) * mean_root(v);
+    return fmin(zeta + d * (1.0 - alpha_at(p, zeta_m, zs) * zeta_m / zs), zs);
+}
+
+double oracle_mean_value(const epf_params_t *p, double z, double dx, double v)
+{
+    const double s = sgn(dx), zeta = s * z, d = fabs(dx);
+    const double zs = fabs(oracle_zss(p, v));
+    if (d >= 2.0 * (double)p->f_max / (double)p->sigma_0) {
+        return s * zs;
+    }
+    const double elastic = fmin(d, fmax((double)p->z_ba - zeta, 0.0));
+    if (elastic == d) {
+        return z + dx;
+    }
+    return s * (zeta < zs ? mean_value_below(p, zeta + elastic, d - elastic, zs)
+                          : mean_value_above(zeta, d, zs));
+}
+
 double oracle_force(const epf_params_t *p, double z_before, double z, double dx, double v,
                     double dt)
 {

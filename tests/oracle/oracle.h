@@ -15,6 +15,9 @@ double oracle_alpha(const epf_params_t *p, double z, double v); /* eq. (10) */
 /* z_k from z_{k-1}; the direction is that of dx, of v only the magnitude counts */
 double oracle_update(const epf_params_t *p, double z, double dx, double v);
 
+/* The same by EPF_UPDATE_MEAN_VALUE */
+double oracle_mean_value(const epf_params_t *p, double z, double dx, double v);
+
 /* eq. (14) as printed, and with the damping term limited in case 1 */
 double oracle_force(const epf_params_t *p, double z_before, double z, double dx, double v,
                     double dt);
