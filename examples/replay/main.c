@@ -84,8 +84,5 @@ int main(int argc, char **argv)
     if (result == EXIT_SUCCESS && !options.is_help) {
         result = replay_and_show(&options);
     }
-    if (result == EXIT_SUCCESS && !output_finish_stdout()) {
-        result = EXIT_DATA;
-    }
-    return result;
+    return output_finish(result);
 }
