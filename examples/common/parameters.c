@@ -26,7 +26,7 @@ const option_t parameters_options[PARAMETERS] = {
     [PARAMETER_LSB_T] = {"--lsb_t", "VALUE", "time, s (1e-6, 1e-5)"},
 };
 
-/* Parameters whose value is one of several words. Words of 0: the value is a number. */
+/* The words that a parameter may be. Where there are none, it is a number. */
 static const struct {
     int words;
     const char *word[3];
