@@ -1,33 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* The command line, and what follows from it by default. */
+/* The command line of epf_replay, and what follows from it by default. */
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
-#include "parameters.h"
-#include "variant.h"
+#include "setup.h"
 
 #include <stdbool.h>
 
-enum { OPTIONS_NAME_MAX = 1000 };
-
 typedef struct {
+    setup_t setup;
     const char *record;       /* the motion to replay */
-    const char *params_file;  /* NULL: none */
     const char *force_column; /* NULL: the usual ones */
-    const char *variant_name;
-    const variant_t *variant;
     const char *out;
-    const char *picture;
-    bool no_picture;
-    bool help;
-    bool example; /* no record was named: the one in the repository is replayed */
-    parameters_t parameters;
-    char picture_by_default[OPTIONS_NAME_MAX + 5];
+    const char *picture; /* NULL: none */
+    bool is_example;     /* no record was named: the one in the repository is replayed */
+    bool is_help;        /* the help has been printed: there is no more to do */
+    char picture_name[OPTION_LENGTH_MAX + sizeof ".png"];
 } options_t;
 
-/* False, and the problem reported, if the command line is not understood */
-bool options_read(options_t *options, int argc, char **argv);
+/* The file that tells gnuplot how to draw */
+extern const char options_script[];
 
-void options_print_help(void);
+/* Returns an exit status; unless it is EXIT_SUCCESS, the problem is reported */
+int options_read(options_t *options, int argc, char **argv);
 
 #endif

@@ -9,15 +9,13 @@
 /* How near to z_ss the state counts as having reached it: it tends to z_ss exponentially */
 static const float nearly = 0.99f;
 
-epf_status_t replay_start(replay_t *replay, const replay_setup_t *setup)
+bool replay_start(replay_t *replay, const setup_t *setup, const csv_record_t *record)
 {
-    *replay = (replay_t){.setup = *setup};
-    const epf_status_t status =
-        estimator_start(&replay->reference, &variant_f32, &setup->params, NULL);
-    if (status != EPF_OK) {
-        return status;
-    }
-    return estimator_start(&replay->estimator, setup->variant, &setup->params, &setup->lsb);
+    setup_t reference = *setup;
+    reference.variant = &variant_f32;
+    *replay = (replay_t){.has_velocity = csv_has(record, RECORD_VELOCITY),
+                         .has_force = csv_has(record, RECORD_FORCE)};
+    return setup_start(&reference, &replay->reference) && setup_start(setup, &replay->estimator);
 }
 
 const epf_f32_coeffs_t *replay_model(const replay_t *replay)
@@ -27,20 +25,19 @@ const epf_f32_coeffs_t *replay_model(const replay_t *replay)
 
 /* ---- the motion between two rows ------------------------------------------------------------ */
 
-/* Differences are taken in double: a position far from 0 must not cost the digits of a small step
- */
+/* Differences are taken in double: of a small step far from 0, float would lose the digits */
 static motion_t motion_to(const replay_t *replay, const csv_row_t *row)
 {
     const double *const first = replay->first.value;
     const double *const last = replay->last.value;
     const double *const now = row->value;
     motion_t motion = {
-        .dx = now[CSV_POSITION] - last[CSV_POSITION],
-        .dt = now[CSV_TIME] - last[CSV_TIME],
-        .end_x = now[CSV_POSITION] - first[CSV_POSITION],
-        .end_t = now[CSV_TIME] - first[CSV_TIME],
+        .dx = now[RECORD_POSITION] - last[RECORD_POSITION],
+        .dt = now[RECORD_TIME] - last[RECORD_TIME],
+        .end_x = now[RECORD_POSITION] - first[RECORD_POSITION],
+        .end_t = now[RECORD_TIME] - first[RECORD_TIME],
     };
-    motion.v = replay->setup.has_velocity ? now[CSV_VELOCITY] : motion.dx / motion.dt;
+    motion.v = replay->has_velocity ? now[RECORD_VELOCITY] : motion.dx / motion.dt;
     return motion;
 }
 
@@ -103,13 +100,13 @@ static replay_sample_t sample_of(const replay_t *replay, const csv_row_t *row,
                                  const estimate_t *estimate)
 {
     replay_sample_t sample = {
-        .time_s = row->value[CSV_TIME],
-        .displacement_m = row->value[CSV_POSITION] - replay->first.value[CSV_POSITION],
+        .time_s = row->value[RECORD_TIME],
+        .displacement_m = row->value[RECORD_POSITION] - replay->first.value[RECORD_POSITION],
         .z_m = estimate->z_m,
         .force_N = estimate->force_N,
     };
-    if (replay->setup.has_force) {
-        sample.measured_N = row->value[CSV_FORCE];
+    if (replay->has_force) {
+        sample.measured_N = row->value[RECORD_FORCE];
         sample.residual_N = sample.measured_N - sample.force_N;
     }
     return sample;

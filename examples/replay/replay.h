@@ -7,8 +7,8 @@
 #define REPLAY_H
 
 #include "comparison.h"
-#include "csv_record.h"
-#include "variant.h"
+#include "record.h"
+#include "setup.h"
 
 /* What comes out for each row that goes in */
 typedef struct {
@@ -27,16 +27,8 @@ typedef struct {
     unsigned long rejected;
 } replay_summary_t;
 
-/* What is to be run */
 typedef struct {
-    const variant_t *variant;
-    epf_params_t params;
-    epf_lsb_t lsb;                /* only for a variant on integers */
     bool has_velocity, has_force; /* which columns the rows have */
-} replay_setup_t;
-
-typedef struct {
-    replay_setup_t setup;
     estimator_t estimator;
     estimator_t reference; /* f32, whatever the estimator is; it also has the model in SI units */
     csv_row_t first, last;
@@ -45,9 +37,9 @@ typedef struct {
     comparison_t comparison; /* with the reference */
 } replay_t;
 
-/* The replay must then stay where it is, as its estimators must. What the library says to the
-   parameters and weights; unless it is EPF_OK there is nothing to run. */
-epf_status_t replay_start(replay_t *replay, const replay_setup_t *setup);
+/* Begins with the first row of an open record. The replay must then stay where it is, as its estimators
+   must. False, and the problem reported, if the library refuses the parameters. */
+bool replay_start(replay_t *replay, const setup_t *setup, const csv_record_t *record);
 
 /* The coefficients of the model in SI units */
 const epf_f32_coeffs_t *replay_model(const replay_t *replay);

@@ -50,7 +50,7 @@ static void print_figures(const replay_t *replay)
     print_share("sliding", s->time_in[REGIME_SLIDING], s->duration_s);
     (void)printf("largest |z|/z_max %.4f\n", s->largest_z);
     (void)printf("rejected samples  %lu\n", s->rejected);
-    if (replay->setup.has_force) {
+    if (replay->has_force) {
         print_force("rms residual", replay_rms_residual(s), (double)replay_model(replay)->f_c);
         (void)printf("mean residual     %.4g N\n", replay_mean_residual(s));
     }
@@ -66,7 +66,7 @@ static void print_comparison(const replay_t *replay)
     (void)printf("z off f32, most   %.3g z_max\n", c->largest_z_m / (double)model->z_max);
     print_force("f off f32, most", c->largest_force_N, f_c);
     print_force("f off f32, rms", comparison_rms_force(c), f_c);
-    if (!replay->setup.has_force) {
+    if (!replay->has_force) {
         return;
     }
     const double rms = comparison_rms_residual(c);
@@ -79,7 +79,7 @@ static void print_comparison(const replay_t *replay)
 
 void report_summary(const replay_t *replay)
 {
-    const variant_t *variant = replay->setup.variant;
+    const variant_t *variant = replay->estimator.variant;
     const bool has_weights = variant->format != NULL;
     if (has_weights) {
         print_weights(variant->name, &replay->estimator.as.fixed);

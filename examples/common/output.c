@@ -3,6 +3,21 @@
 
 #include "problem.h"
 
+#include <stdlib.h>
+
+bool output_spares(const char *written, const char *other)
+{
+    return written == NULL || other == NULL || !system_same_file(written, other) ||
+           problem("command line: expected a file of its own for each purpose, found one twice: "
+                   "\"%.200s\", \"%.200s\"",
+                   written, other);
+}
+
+static bool cannot_write(const char *name)
+{
+    return problem("%.1000s: cannot write the file", name);
+}
+
 bool output_open(output_t *output, const char *name)
 {
     output->name = name;
@@ -14,10 +29,7 @@ bool output_open(output_t *output, const char *name)
     } else {
         output->file = NULL;
     }
-    if (output->file == NULL) {
-        problem("%.1000s: cannot write the file", name);
-    }
-    return output->file != NULL;
+    return output->file != NULL || cannot_write(name);
 }
 
 static bool put_in_place(const output_t *output)
@@ -44,13 +56,25 @@ bool output_commit(output_t *output)
         system_keep();
         return true;
     }
-    problem("%.1000s: cannot write the file", output->name);
     remove_temporary(output);
-    return false;
+    return cannot_write(output->name);
 }
 
 void output_discard(output_t *output)
 {
     (void)fclose(output->file);
     remove_temporary(output);
+}
+
+int output_finish(int status)
+{
+    if (status != EXIT_SUCCESS) {
+        return status;
+    }
+    const bool printed = !ferror(stdout);
+    if (fclose(stdout) == 0 && printed) {
+        return EXIT_SUCCESS;
+    }
+    (void)problem("stdout: cannot write everything");
+    return EXIT_DATA;
 }

@@ -1,8 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "problem.h"
 
+#include "progress.h"
+
 #include <stdarg.h>
 #include <stdio.h>
+
+static const char *program;
+
+void problem_from(const char *name)
+{
+    program = name;
+}
 
 /* A message quotes files and arguments, which may hold anything: it must stay one readable line */
 static void make_printable(char *text)
@@ -15,13 +24,15 @@ static void make_printable(char *text)
     }
 }
 
-void problem(const char *format, ...)
+bool problem(const char *format, ...)
 {
-    char message[4096];
+    char message[PROBLEM_LENGTH_MAX + 1];
     va_list arguments;
     va_start(arguments, format);
     (void)vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     make_printable(message);
-    (void)fprintf(stderr, "epf_replay: %s\n", message);
+    progress_end();
+    (void)fprintf(stderr, "%s: %s\n", program, message);
+    return false;
 }

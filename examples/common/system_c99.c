@@ -48,6 +48,11 @@ void system_keep(void)
 {
 }
 
+bool system_stderr_is_terminal(void)
+{
+    return false;
+}
+
 #ifdef _WIN32
 static const char silently[] = ">NUL 2>&1";
 #else

@@ -4,6 +4,7 @@
 #include "problem.h"
 
 #include <float.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,10 +16,7 @@ bool text_open(text_t *text, const char *name)
     text->name = name;
     text->number = 0;
     text->file = fopen(name, "rb"); /* binary: line ends are our business on every system */
-    if (text->file == NULL) {
-        problem("%s: cannot open the file", name);
-    }
-    return text->file != NULL;
+    return text->file != NULL || problem("%s: cannot open the file", name);
 }
 
 void text_close(text_t *text)
@@ -26,9 +24,19 @@ void text_close(text_t *text)
     (void)fclose(text->file);
 }
 
+bool text_problem(const text_t *text, const char *format, ...)
+{
+    char message[PROBLEM_LENGTH_MAX + 1];
+    va_list arguments;
+    va_start(arguments, format);
+    (void)vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    return problem("%s:%lu: %s", text->name, text->number, message);
+}
+
 static text_status_t failed(const text_t *text, const char *expected, const char *found)
 {
-    problem("%s:%lu: expected %s, found %s", text->name, text->number, expected, found);
+    (void)text_problem(text, "expected %s, found %s", expected, found);
     return TEXT_FAILED;
 }
 
@@ -78,6 +86,11 @@ char *text_trim(char *text)
     }
     text[length] = '\0';
     return text;
+}
+
+bool text_is_blank(const char *text)
+{
+    return text[strspn(text, white_space)] == '\0';
 }
 
 bool text_is_plain(const char *text)

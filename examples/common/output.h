@@ -17,6 +17,10 @@ typedef struct {
     char temporary[SYSTEM_NAME_MAX + 1];
 } output_t;
 
+/* To be asked before anything is written: does it leave the other file as it is? Either may be NULL, for
+   none. False, and the problem reported, if it does not. */
+bool output_spares(const char *written, const char *other);
+
 /* False, and the problem reported, if the file cannot be written. The name must outlive it. */
 bool output_open(output_t *output, const char *name);
 
@@ -25,5 +29,9 @@ bool output_commit(output_t *output);
 
 /* Leaves things as they were before output_open; a stream keeps what it was given */
 void output_discard(output_t *output);
+
+/* The last call of a program, with its exit status. What was printed may still wait in a buffer; if it does
+   not arrive, that is a problem, which is reported, and the status becomes EXIT_DATA. */
+int output_finish(int status);
 
 #endif

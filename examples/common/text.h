@@ -26,8 +26,14 @@ text_status_t text_next(text_t *text);
 
 void text_close(text_t *text);
 
+/* Reports a problem with the line in hand, as problem() does, with the name of the file and the number of
+   the line before it. Returns false. */
+bool text_problem(const text_t *text, const char *format, ...);
+
 /* The same text without the white space around it; changes it in place */
 char *text_trim(char *text);
+
+bool text_is_blank(const char *text);
 
 /* True if a shell takes the text for one word, and changes nothing in it */
 bool text_is_plain(const char *text);

@@ -178,6 +178,11 @@ void system_keep(void)
     is_unfinished = 0;
 }
 
+bool system_stderr_is_terminal(void)
+{
+    return isatty(STDERR_FILENO) == 1;
+}
+
 /* ---- gnuplot -------------------------------------------------------------------------------- */
 
 static void become_gnuplot(const char *script, const char *data, const char *picture)

@@ -8,7 +8,14 @@
 #include <stdio.h>
 #include <string.h>
 
-const char picture_script[] = EPF_REPLAY_DIR "/plot.gp";
+bool picture_name(char *name, size_t size, const char *data)
+{
+    const char *const dot = strrchr(data, '.');
+    const bool has_ending = dot != NULL && strpbrk(dot, "/\\") == NULL;
+    const int stem = (int)(has_ending ? (size_t)(dot - data) : strlen(data));
+    const int length = snprintf(name, size, "%.*s.png", stem, data);
+    return length >= 0 && (size_t)length < size;
+}
 
 /* gnuplot runs a name that begins with < or | as a command, and ~, - and $ have meanings, too */
 typedef struct {
@@ -23,11 +30,11 @@ static gnuplot_name_t gnuplot_name(const char *name)
     return made;
 }
 
-bool picture_draw(const char *data, const char *picture)
+static bool draw(const char *script, const char *data, const char *picture)
 {
     const gnuplot_name_t from = gnuplot_name(data);
     const gnuplot_name_t to = gnuplot_name(picture);
-    return system_gnuplot(picture_script, from.text, to.text);
+    return system_gnuplot(script, from.text, to.text);
 }
 
 /* Between apostrophes a POSIX shell takes everything as it is, except an apostrophe */
@@ -48,13 +55,23 @@ static void print_word(const char *word)
     (void)putchar('\'');
 }
 
-void picture_print_command(const char *data, const char *picture)
+static void print_command(const char *script, const char *data, const char *picture)
 {
     const gnuplot_name_t from = gnuplot_name(data);
     const gnuplot_name_t to = gnuplot_name(picture);
     (void)fputs("gnuplot -c", stdout);
-    print_word(picture_script);
+    print_word(script);
     print_word(from.text);
     print_word(to.text);
     (void)putchar('\n');
+}
+
+void picture_make(const char *script, const char *data, const char *picture)
+{
+    if (draw(script, data, picture)) {
+        (void)printf("written           %s\n", picture);
+    } else {
+        (void)fputs("no picture; try:  ", stdout);
+        print_command(script, data, picture);
+    }
 }

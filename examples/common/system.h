@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What C99 does not tell: which file a name leads to, a new file for sure, interrupts, other programs.
+ * What C99 does not tell: which file a name leads to, a new file for sure, interrupts, terminals, other programs.
  * system_posix.c asks POSIX. system_c99.c is for other systems; it compares names as they are written.
  */
 #ifndef SYSTEM_H
@@ -32,6 +32,8 @@ bool system_follow(char *target, const char *name);
 FILE *system_create(char *temporary, const char *name);
 
 void system_keep(void);
+
+bool system_stderr_is_terminal(void);
 
 /* Runs `gnuplot -c` with these three arguments, in silence. True if it was content. */
 bool system_gnuplot(const char *script, const char *data, const char *picture);
