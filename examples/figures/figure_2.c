@@ -25,7 +25,7 @@ typedef struct {
 /* Largest distances from the equations, N */
 typedef struct {
     double f32, q31, q15, odd;
-} errors_t;
+} distances_t;
 
 static form_t form_of(friction_form_t form)
 {
@@ -41,7 +41,7 @@ static form_t form_of(friction_form_t form)
 }
 
 /* Each variant is asked at a velocity that it can tell exactly */
-static void compare(const form_t *form, double v, errors_t *worst)
+static void compare(const form_t *form, double v, distances_t *worst)
 {
     const float exact = (float)v;
     const double f32 = (double)epf_f32_fss(&form->f32, exact);
@@ -71,7 +71,7 @@ static void write_row(FILE *csv, const form_t made[FORMS], double v)
 void figure_2(FILE *csv, claims_t *claims)
 {
     form_t made[FORMS];
-    errors_t worst = {0.0, 0.0, 0.0, 0.0};
+    distances_t worst = {0.0, 0.0, 0.0, 0.0};
     for (int i = 0; i < FORMS; i++) {
         made[i] = form_of(forms[i]);
     }

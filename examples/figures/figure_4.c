@@ -110,6 +110,6 @@ void figure_4(FILE *csv, claims_t *claims)
                    "f32 at D_x = 12 nm, the peak-to-peak noise, tells");
     claim_at_least(claims, state.track_sliding[EVERY_LOOK] / all, 85.0, "% of it",
                    "f32 at every look, without the trigger, tells");
-    claim_at_most(claims, state.tracks[TRIGGERED].largest / MICRO, 0.05, "um",
+    claim_at_most(claims, state.tracks[TRIGGERED].errors.largest / MICRO, 0.05, "um",
                   "f32 at D_x = 12 nm: largest error of z at the updates");
 }

@@ -21,14 +21,14 @@ typedef struct {
 /* Largest distances from the equation, and how much alpha there is where there should be none */
 typedef struct {
     double f32, q31, q15, where_elastic;
-} errors_t;
+} distances_t;
 
 static double expected(double z, double v)
 {
     return friction_alpha(&table_2, v < 0.0 ? -z : z, friction_z_ss(&table_2, v));
 }
 
-static void compare_f32(const coefficients_t *made, double z, double v, errors_t *worst)
+static void compare_f32(const coefficients_t *made, double z, double v, distances_t *worst)
 {
     const double alpha = (double)epf_f32_alpha(&made->f32, (float)z, (float)v);
     worst->f32 = fmax(worst->f32, fabs(alpha - expected((double)(float)z, (double)(float)v)));
@@ -38,7 +38,7 @@ static void compare_f32(const coefficients_t *made, double z, double v, errors_t
 }
 
 /* Asked at a deflection and a velocity that the integers can tell exactly */
-static void compare_integers(const coefficients_t *made, double z, double v, errors_t *worst)
+static void compare_integers(const coefficients_t *made, double z, double v, distances_t *worst)
 {
     const double unit_31 = ldexp((double)made->lsb_31.x, -made->q31.z_shift);
     const int32_t z_31 = (int32_t)lround(z / unit_31);
@@ -66,7 +66,7 @@ void figure_5(FILE *csv, claims_t *claims)
     (void)epf_q31_coeffs_init(&made.q31, &params, &made.lsb_31);
     (void)epf_q15_coeffs_init(&made.q15, &params, &made.lsb_15);
 
-    errors_t worst = {0.0, 0.0, 0.0, 0.0};
+    distances_t worst = {0.0, 0.0, 0.0, 0.0};
     (void)fputs("z_um,slow,at_v_s,fast,slow_towards_minus_x\n", csv);
     for (int row = -HALF_ROWS; row <= HALF_ROWS; row++) {
         const double z = 16.0 * MICRO * row / HALF_ROWS;

@@ -26,7 +26,7 @@ static void forget_errors(followers_t *followers)
 {
     for (int rule = 0; rule < PROFILE_RULES; rule++) {
         for (int i = 0; i < PROFILE_SPACINGS; i++) {
-            followers->tracks[rule][i].largest = 0.0;
+            followers->tracks[rule][i].errors.largest = 0.0;
         }
     }
 }
@@ -34,7 +34,7 @@ static void forget_errors(followers_t *followers)
 /* Largest error at the updates, in % of the plot's height */
 static double largest(const track_t *track)
 {
-    return 100.0 * track->largest / profile_range;
+    return 100.0 * track->errors.largest / profile_range;
 }
 
 static void claim_segment(claims_t *claims, const followers_t *followers, int segment)
@@ -42,12 +42,13 @@ static void claim_segment(claims_t *claims, const followers_t *followers, int se
     static const double limits[2] = {0.3, 2.5}; /* at 0.1 and 1 um */
     const char *name = segments[segment].name;
     for (int i = 0; i < 2; i++) {
-        claim_at_most(claims, largest(&followers->tracks[1][i]), limits[i], "% of the plot",
-                      "%s, mean value, D_x = %g um: largest error", name,
+        claim_at_most(claims, largest(&followers->tracks[EPF_UPDATE_MEAN_VALUE][i]), limits[i],
+                      "% of the plot", "%s, mean value, D_x = %g um: largest error", name,
                       profile_spacings[i] / MICRO);
     }
     if (segment == SLIDING) {
-        claim_at_least(claims, largest(&followers->tracks[0][0]), 2.0, "% of the plot",
+        claim_at_least(claims, largest(&followers->tracks[EPF_UPDATE_SATURATED][0]), 2.0,
+                       "% of the plot",
                        "%s, saturated, D_x = %g um: largest error: it lets go at once (case 1)",
                        name, profile_spacings[0] / MICRO);
     }

@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-enum { STEPS_PER_LOOK = 10, SEEDS = 10, CASES = 5, RULES = 2 };
+enum { STEPS_PER_LOOK = 10, SEEDS = 10, CASES = 5 };
 
 /* Either way, and the spacing of the trigger, m */
 static const struct {
@@ -23,7 +23,7 @@ static const struct {
 /* One way of seeing the motion, by both rules. The picture shows the first seed. */
 typedef struct {
     encoder_t encoder;
-    track_t tracks[RULES];
+    track_t tracks[PROFILE_RULES];
 } observer_t;
 
 typedef struct {
@@ -34,8 +34,8 @@ typedef struct {
 static void observer_start(observer_t *observer, double noise, double spacing, int seed)
 {
     observer->encoder = (encoder_t){.noise = noise, .source = {(uint64_t)seed}};
-    for (int rule = 0; rule < RULES; rule++) {
-        const epf_params_t params = params_of(&table_2, profile_rules[rule]);
+    for (int rule = 0; rule < PROFILE_RULES; rule++) {
+        const epf_params_t params = params_of(&table_2, (epf_update_t)rule);
         track_start(&observer->tracks[rule], &variant_f32, &params, spacing, 0.0);
     }
 }
@@ -43,7 +43,7 @@ static void observer_start(observer_t *observer, double noise, double spacing, i
 static void observer_look(observer_t *observer, const run_t *run)
 {
     const double seen = encoder_read(&observer->encoder, run->fine.x);
-    for (int rule = 0; rule < RULES; rule++) {
+    for (int rule = 0; rule < PROFILE_RULES; rule++) {
         (void)track_look(&observer->tracks[rule], seen, run_time(run), run->fine.z);
     }
 }
@@ -73,7 +73,8 @@ static void write_row(FILE *csv, const observers_t *observers, const run_t *run)
 {
     (void)fprintf(csv, "%.4f,%.6f", run_time(run), run->fine.z / MICRO);
     for (int i = 0; i < CASES; i++) {
-        (void)fprintf(csv, ",%.6f", track_z(&observers->noisy[i][0].tracks[1]) / MICRO);
+        (void)fprintf(csv, ",%.6f",
+                      track_z(&observers->noisy[i][0].tracks[EPF_UPDATE_MEAN_VALUE]) / MICRO);
     }
     (void)fputc('\n', csv);
 }
@@ -85,8 +86,8 @@ static double rms(const observers_t *observers, int i, int rule)
     double updates = 0.0;
     for (int seed = 0; seed < SEEDS; seed++) {
         const track_t *track = &observers->noisy[i][seed].tracks[rule];
-        squares += track->squares;
-        updates += (double)track->updates;
+        squares += track->errors.squares;
+        updates += (double)track->errors.count;
     }
     return sqrt(squares / updates);
 }
@@ -94,19 +95,19 @@ static double rms(const observers_t *observers, int i, int rule)
 static void claim_case(claims_t *claims, const observers_t *observers, int i, int rule)
 {
     const double peak_to_peak = 2.0 * cases[i].noise;
-    const double clean = track_rms(&observers->clean[i].tracks[rule]);
+    const double clean = errors_rms(&observers->clean[i].tracks[rule].errors);
     const double noisy = rms(observers, i, rule);
     if (cases[i].spacing < peak_to_peak) {
         claim_at_least(claims, noisy / peak_to_peak, 1.0, "of the noise",
                        "%s, noise %g um peak to peak, D_x = %g um, too small: rms error (%.2g um)",
-                       update_name(profile_rules[rule]), peak_to_peak / MICRO,
+                       update_name((epf_update_t)rule), peak_to_peak / MICRO,
                        cases[i].spacing / MICRO, noisy / MICRO);
     } else {
         claim_at_most(
             claims, (noisy - clean) / peak_to_peak, 0.3, "of the noise",
             "%s, noise %g um peak to peak, D_x = %g um: rms error (%.2g um) less that without "
             "noise (%.2g um)",
-            update_name(profile_rules[rule]), peak_to_peak / MICRO, cases[i].spacing / MICRO,
+            update_name((epf_update_t)rule), peak_to_peak / MICRO, cases[i].spacing / MICRO,
             noisy / MICRO, clean / MICRO);
     }
 }
@@ -126,7 +127,7 @@ void figure_8(FILE *csv, claims_t *claims)
         look(&observers, &run);
         write_row(csv, &observers, &run);
     }
-    for (int rule = 0; rule < RULES; rule++) {
+    for (int rule = 0; rule < PROFILE_RULES; rule++) {
         for (int i = 0; i < CASES; i++) {
             claim_case(claims, &observers, i, rule);
         }

@@ -22,13 +22,12 @@ run_t profile_run(slide_t *slide)
     return run_from(slide, (slide_state_t){0.0, 0.0, 0.0}, PROFILE_STEPS_PER_SECOND);
 }
 
-const epf_update_t profile_rules[PROFILE_RULES] = {EPF_UPDATE_SATURATED, EPF_UPDATE_MEAN_VALUE};
 const double profile_spacings[PROFILE_SPACINGS] = {0.1e-6, 1e-6, 5e-6};
 
 void followers_start(followers_t *followers, double z)
 {
     for (int rule = 0; rule < PROFILE_RULES; rule++) {
-        const epf_params_t params = params_of(&table_2, profile_rules[rule]);
+        const epf_params_t params = params_of(&table_2, (epf_update_t)rule);
         for (int i = 0; i < PROFILE_SPACINGS; i++) {
             track_t *track = &followers->tracks[rule][i];
             track_start(track, &variant_f32, &params, profile_spacings[i], 0.0);

@@ -19,9 +19,8 @@ extern const double profile_range; /* of z, m: from -z_max to z_max, which the p
 /* From rest; the slide is made, and must outlive the run */
 run_t profile_run(slide_t *slide);
 
-/* f32 by both rules, at each of these spacings */
+/* f32 by both rules, each an epf_update_t, at each of these spacings */
 enum { PROFILE_RULES = 2, PROFILE_SPACINGS = 3 };
-extern const epf_update_t profile_rules[PROFILE_RULES];
 extern const double profile_spacings[PROFILE_SPACINGS]; /* m */
 
 typedef struct {

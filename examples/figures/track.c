@@ -3,7 +3,6 @@
 
 #include "problem.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 void track_start(track_t *track, const variant_t *variant, const epf_params_t *params,
@@ -34,19 +33,11 @@ bool track_look(track_t *track, double x, double time, double z)
     }
     const motion_t motion = {update.dx, update.v, update.dt, x - track->x, time};
     estimator_step(&track->estimator, &motion);
-    const double error = track_z(track) - z;
-    track->squares += error * error;
-    track->largest = fmax(track->largest, fabs(error));
-    track->updates++;
+    errors_add(&track->errors, track_z(track) - z);
     return true;
 }
 
 double track_z(const track_t *track)
 {
     return estimator_estimate(&track->estimator).z_m;
-}
-
-double track_rms(const track_t *track)
-{
-    return sqrt(track->squares / (double)track->updates);
 }

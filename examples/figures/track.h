@@ -3,17 +3,15 @@
 #ifndef TRACK_H
 #define TRACK_H
 
-#include "friction.h"
+#include "errors.h"
 #include "trigger.h"
 #include "variant.h"
 
 typedef struct {
     trigger_t trigger;
     estimator_t estimator;
-    double x, time; /* where it began */
-    /* The errors of z: between the updates they would tell of the trigger, not of the rule */
-    double squares, largest; /* m^2, m */
-    unsigned long updates;
+    double x;        /* where it began */
+    errors_t errors; /* of z, m */
 } track_t;
 
 /* From rest at x, at the time 0. The parameters must suit the library: what the paper gives does. */
@@ -27,8 +25,5 @@ void track_set_z(track_t *track, double z);
 bool track_look(track_t *track, double x, double time, double z);
 
 double track_z(const track_t *track);
-
-/* Root of the mean square of the errors, m */
-double track_rms(const track_t *track);
 
 #endif
