@@ -7,6 +7,8 @@
 #ifndef CLAIMS_H
 #define CLAIMS_H
 
+#include <stdbool.h>
+
 typedef struct {
     const char *figure; /* in hand */
     unsigned stated, failed;
@@ -18,5 +20,8 @@ void claim_at_most(claims_t *claims, double measured, double limit, const char *
                    const char *format, ...);
 void claim_at_least(claims_t *claims, double measured, double limit, const char *unit,
                     const char *format, ...);
+
+/* Prints how many claims there were and how many fail. True if all hold, and there was one. */
+bool claims_hold(const claims_t *claims);
 
 #endif

@@ -14,6 +14,9 @@ target_link_libraries(claims_test PRIVATE epf_test_support examples_common)
 epf_own_warnings(claims_test)
 epf_test_flags(claims_test)
 epf_run_test(claims_test)
+add_test(NAME claims_say_what_fails COMMAND claims_test)
+set_tests_properties(claims_say_what_fails PROPERTIES
+    PASS_REGULAR_EXPRESSION "\n[|] 9 [|] above its limit [|] 1 N [|] <= 1 [|] FAILS [|]\n")
 
 # ---- every claim holds, and README.md tells all of them as they are printed ------------------------
 

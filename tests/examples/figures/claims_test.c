@@ -21,12 +21,19 @@ static void test_a_claim_holds_up_to_its_limit_and_not_beyond(void)
     claims_t claims = {"9", 0, 0};
     claim_at_most(&claims, 1.0, 1.0, "N", "at the limit");
     claim_at_least(&claims, 1.0, 1.0, "N", "at the limit");
-    TEST_ASSERT_EQUAL_UINT(0, claims.failed);
-    claim_at_most(&claims, nextafter(1.0, 2.0), 1.0, "N", "above");
+    TEST_ASSERT_TRUE(claims_hold(&claims));
+    claim_at_most(&claims, nextafter(1.0, 2.0), 1.0, "N", "above its limit");
     TEST_ASSERT_EQUAL_UINT(1, claims.failed);
     claim_at_least(&claims, nextafter(1.0, 0.0), 1.0, "N", "below");
     TEST_ASSERT_EQUAL_UINT(2, claims.failed);
     TEST_ASSERT_EQUAL_UINT(4, claims.stated);
+    TEST_ASSERT_FALSE(claims_hold(&claims));
+}
+
+static void test_nothing_claimed_is_not_enough(void)
+{
+    const claims_t claims = {"9", 0, 0};
+    TEST_ASSERT_FALSE(claims_hold(&claims));
 }
 
 static void test_no_number_holds_no_claim(void)
@@ -57,6 +64,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_a_claim_holds_up_to_its_limit_and_not_beyond);
+    RUN_TEST(test_nothing_claimed_is_not_enough);
     RUN_TEST(test_no_number_holds_no_claim);
     RUN_TEST(test_errors_have_a_largest_and_a_root_mean_square);
     RUN_TEST(test_no_errors_at_all_have_no_root_mean_square);
