@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Fig. 2 of the paper: the steady-state friction force f_ss(v), eqs. (6) to (8) */
+#include "coefficients.h"
 #include "figure.h"
 #include "tables.h"
-#include "variant.h"
 
 #include <math.h>
 
@@ -13,16 +13,12 @@ static const double widest = 5.0; /* v_s */
 static const friction_form_t forms[FORMS] = {FRICTION_COULOMB, FRICTION_GAUSSIAN,
                                              FRICTION_LORENTZIAN};
 
-/* The coefficients of one form in all variants, and the weights of the integers */
 typedef struct {
     friction_t friction;
-    epf_f32_coeffs_t f32;
-    epf_q31_coeffs_t q31;
-    epf_q15_coeffs_t q15;
-    epf_lsb_t lsb_31, lsb_15;
+    coefficients_t as;
 } form_t;
 
-/* Largest distances from the equations, N */
+/* Largest distances from the equations, and from an odd function, N */
 typedef struct {
     double f32, q31, q15, odd;
 } distances_t;
@@ -31,39 +27,40 @@ static form_t form_of(friction_form_t form)
 {
     form_t made = {.friction = table_2};
     made.friction.form = form;
-    const epf_params_t params = params_of(&made.friction, EPF_UPDATE_MEAN_VALUE);
-    made.lsb_31 = variant_default_lsb(&variant_q31, &params);
-    made.lsb_15 = variant_default_lsb(&variant_q15, &params);
-    (void)epf_f32_coeffs_init(&made.f32, &params);
-    (void)epf_q31_coeffs_init(&made.q31, &params, &made.lsb_31);
-    (void)epf_q15_coeffs_init(&made.q15, &params, &made.lsb_15);
+    made.as = coefficients_of(&made.friction);
     return made;
+}
+
+/* The larger of the two: the distance from the equation, or what it has been */
+static double further(double distance, const form_t *form, double v, double f_ss)
+{
+    return fmax(distance, fabs(f_ss - friction_f_ss(&form->friction, v)));
 }
 
 /* Each variant is asked at a velocity that it can tell exactly */
 static void compare(const form_t *form, double v, distances_t *worst)
 {
     const float exact = (float)v;
-    const double f32 = (double)epf_f32_fss(&form->f32, exact);
-    worst->f32 = fmax(worst->f32, fabs(f32 - friction_f_ss(&form->friction, (double)exact)));
-    worst->odd = fmax(worst->odd, fabs(f32 + (double)epf_f32_fss(&form->f32, -exact)));
+    const double f32 = (double)epf_f32_fss(&form->as.f32, exact);
+    worst->f32 = further(worst->f32, form, (double)exact, f32);
+    worst->odd = fmax(worst->odd, fabs(f32 + (double)epf_f32_fss(&form->as.f32, -exact)));
 
-    const int32_t v_31 = (int32_t)lround(v / (double)form->lsb_31.v);
-    const double q31 = epf_q31_fss(&form->q31, v_31) * (double)form->lsb_31.f;
-    const double v_q31 = v_31 * (double)form->lsb_31.v;
-    worst->q31 = fmax(worst->q31, fabs(q31 - friction_f_ss(&form->friction, v_q31)));
+    const epf_lsb_t *q31 = &form->as.lsb_q31;
+    const int32_t v_q31 = (int32_t)lround(v / (double)q31->v);
+    worst->q31 = further(worst->q31, form, v_q31 * (double)q31->v,
+                         epf_q31_fss(&form->as.q31, v_q31) * (double)q31->f);
 
-    const int16_t v_15 = (int16_t)lround(v / (double)form->lsb_15.v);
-    const double q15 = epf_q15_fss(&form->q15, v_15) * (double)form->lsb_15.f;
-    const double v_q15 = v_15 * (double)form->lsb_15.v;
-    worst->q15 = fmax(worst->q15, fabs(q15 - friction_f_ss(&form->friction, v_q15)));
+    const epf_lsb_t *q15 = &form->as.lsb_q15;
+    const int16_t v_q15 = (int16_t)lround(v / (double)q15->v);
+    worst->q15 = further(worst->q15, form, v_q15 * (double)q15->v,
+                         epf_q15_fss(&form->as.q15, v_q15) * (double)q15->f);
 }
 
 static void write_row(FILE *csv, const form_t made[FORMS], double v)
 {
     (void)fprintf(csv, "%.9g", v / table_2.v_s);
     for (int i = 0; i < FORMS; i++) {
-        (void)fprintf(csv, ",%.9g", (double)epf_f32_fss(&made[i].f32, (float)v));
+        (void)fprintf(csv, ",%.9g", (double)epf_f32_fss(&made[i].as.f32, (float)v));
     }
     (void)fputc('\n', csv);
 }

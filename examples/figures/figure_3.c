@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Fig. 3 of the paper: a mass of 1 kg with the friction of Table I under a force that oscillates about
- * an offset and stays below break-away, f_ba = 0.8 N. LuGre and Dahl drift, the elasto-plastic
- * model does not. The paper shows its force as a picture; this one rises from 0 to 0.7 N and back, three times
- * in three seconds, then nine times in three seconds.
+ * Fig. 3 of the paper: a mass of 1 kg with the friction of Table I under a force that oscillates about an
+ * offset and stays below break-away, f_ba = 0.8 N. LuGre and Dahl drift, the elasto-plastic model does
+ * not. The paper shows its force as a picture; this one rises from 0 to 0.7 N and back, three times in three
+ * seconds, then nine times in three seconds.
  */
 #include "encoder.h"
 #include "figure.h"

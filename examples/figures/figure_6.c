@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Fig. 6 of the paper: updates triggered by D_x = 0.1, 1 and 5 um against the continuous solution. The picture
- * shows estimators whose initial state is wrong by -10 um; how close they come is measured with others,
- * whose initial state is right.
+ * Fig. 6 of the paper: updates triggered by D_x = 0.1, 1 and 5 um against the continuous solution. The
+ * picture shows estimators whose initial state is wrong by -10 um; how close they come is measured with
+ * others, whose initial state is right.
  */
 #include "figure.h"
 #include "profile.h"

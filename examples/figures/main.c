@@ -22,9 +22,10 @@ enum { FIGURES = sizeof figures / sizeof figures[0] };
 static const char usage[] =
     "usage: epf_figures [options]\n"
     "\n"
-    "Makes the figures of the paper, each as figure_N.csv and figure_N.png, and prints for each "
-    "claim\n"
-    "about them what was measured, what the limit is and whether it holds. Fails if one does not.";
+    "Makes the figures of the paper, each as figure_N.csv and figure_N.png. For each claim about\n"
+    "them it prints what was measured, what the limit is and whether it holds; it fails if one "
+    "does\n"
+    "not.";
 
 enum { OUT, FIGURE, NO_PICTURES, OPTIONS };
 static const option_t table[OPTIONS] = {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The motion of Figs. 6, 7 and 8: a mass of 10 kg with the friction of Table II under a spike of force
- * that stays elastic, a large oscillation through presliding and sliding, and release at 1.0 s. The paper gives
- * its force as a picture only: this one is of its kind. And what follows that motion in Figs. 6 and 7.
+ * that stays elastic, a large oscillation through presliding and sliding, and release at 1.0 s. The paper
+ * gives its force as a picture only: this one is of its kind. And what follows that motion in Figs. 6
+ * and 7.
  */
 #ifndef PROFILE_H
 #define PROFILE_H

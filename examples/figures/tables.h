@@ -15,7 +15,7 @@ epf_params_t params_of(const friction_t *friction, epf_update_t update);
 /* "saturated", "mean value" */
 const char *update_name(epf_update_t update);
 
-/* To be compared with and shown: what is small is shown in micrometres */
+/* Lengths are printed in micrometres */
 #define MICRO 1e-6
 
 #endif
