@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A command line, read by tables of options, and the help that they make. Every option is a text, once
- * at most; what the text means is for those to say who want the option. --help is always there.
+ * A command line, read by tables of options, and the help, printed from the same tables. An option may be
+ * given once; its value is text, which whoever wants the option turns into numbers. Every program has
+ * --help.
  */
 #ifndef COMMAND_LINE_H
 #define COMMAND_LINE_H
@@ -33,8 +34,8 @@ typedef struct {
 
 typedef enum { COMMAND_LINE_READ, COMMAND_LINE_HELPED, COMMAND_LINE_FAILED } command_line_status_t;
 
-/* Reads the arguments into the values. If one of them is --help, prints the help on stdout instead; it is
-   COMMAND_LINE_FAILED, and the problem is reported, if the arguments are not understood. */
+/* Reads the arguments into the values of the groups. At --help it prints the help on stdout and reads no
+   further. COMMAND_LINE_FAILED, and the problem reported, if an argument is not understood. */
 command_line_status_t command_line_read(const command_line_t *line, int argc, char **argv);
 
 #endif

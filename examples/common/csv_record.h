@@ -21,7 +21,7 @@ typedef struct {
     bool is_required;
 } csv_column_t;
 
-/* In a table of columns, the first is the time, and required */
+/* The first column of every table is the time, and is required */
 enum { CSV_TIME = 0 };
 
 typedef struct {

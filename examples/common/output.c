@@ -3,6 +3,8 @@
 
 #include "problem.h"
 
+#include <stdlib.h>
+
 bool output_spares(const char *written, const char *other)
 {
     return written == NULL || other == NULL || !system_same_file(written, other) ||
@@ -64,8 +66,15 @@ void output_discard(output_t *output)
     remove_temporary(output);
 }
 
-bool output_finish_stdout(void)
+int output_finish(int status)
 {
+    if (status != EXIT_SUCCESS) {
+        return status;
+    }
     const bool printed = !ferror(stdout);
-    return (fclose(stdout) == 0 && printed) || problem("stdout: cannot write everything");
+    if (fclose(stdout) == 0 && printed) {
+        return EXIT_SUCCESS;
+    }
+    (void)problem("stdout: cannot write everything");
+    return EXIT_DATA;
 }

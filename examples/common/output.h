@@ -30,8 +30,8 @@ bool output_commit(output_t *output);
 /* Leaves things as they were before output_open; a stream keeps what it was given */
 void output_discard(output_t *output);
 
-/* What was printed may still wait in a buffer: the last thing that a program does is to see whether it
-   arrived. False, and the problem reported, if not. */
-bool output_finish_stdout(void);
+/* The last call of a program, with its exit status. What was printed may still wait in a buffer; if it does
+   not arrive, that is a problem, which is reported, and the status becomes EXIT_DATA. */
+int output_finish(int status);
 
 #endif

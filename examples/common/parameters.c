@@ -17,7 +17,7 @@ const option_t parameters_options[PARAMETERS] = {
     [PARAMETER_V_S] = {"--v_s", "VALUE", "Stribeck velocity, m/s (1e-3)"},
     [PARAMETER_Z_BA] = {"--z_ba", "VALUE", "break-away deflection, m"},
     [PARAMETER_STRIBECK] = {"--stribeck", "FORM", "lorentzian, gaussian or coulomb (lorentzian)"},
-    [PARAMETER_UPDATE] = {"--update", "RULE", "saturated or mean_value (saturated)"},
+    [PARAMETER_UPDATE] = {"--update", "RULE", "saturated or mean_value (mean_value)"},
     [PARAMETER_LSB_X] = {"--lsb_x", "VALUE",
                          "with q31 and q15, what 1 in each signal weighs:\n"
                          "displacement, m (z_max/1e6, z_max/16000)"},
@@ -26,7 +26,7 @@ const option_t parameters_options[PARAMETERS] = {
     [PARAMETER_LSB_T] = {"--lsb_t", "VALUE", "time, s (1e-6, 1e-5)"},
 };
 
-/* Parameters whose value is one of several words. Words of 0: the value is a number. */
+/* The words that a parameter may be. Where there are none, it is a number. */
 static const struct {
     int words;
     const char *word[3];
@@ -141,7 +141,7 @@ bool parameters_complete(parameters_t *set)
     give(&defaults, PARAMETER_F_MAX, set->value[PARAMETER_F_C]);
     give(&defaults, PARAMETER_V_S, 1e-3f);
     give(&defaults, PARAMETER_STRIBECK, (float)EPF_STRIBECK_LORENTZIAN);
-    give(&defaults, PARAMETER_UPDATE, (float)EPF_UPDATE_SATURATED);
+    give(&defaults, PARAMETER_UPDATE, (float)EPF_UPDATE_MEAN_VALUE);
     parameters_add(set, &defaults);
     return true;
 }

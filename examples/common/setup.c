@@ -42,8 +42,8 @@ static bool read_parameters(setup_t *setup)
     return good;
 }
 
-/* Floats weigh what they say: whoever gives them a weight errs. A file may hold some all the same, for
-   the other variants. */
+/* f32 takes SI units: a weight on the command line is a mistake then. A file may have weights all the
+   same, since it serves the other variants, too. */
 static bool check_weights(const setup_t *setup)
 {
     return setup->variant->format != NULL || !parameters_have_weights(&setup->parameters) ||
@@ -52,7 +52,7 @@ static bool check_weights(const setup_t *setup)
                    setup->variant->name);
 }
 
-/* Bad parameters have no weights by default; the library is about to refuse them */
+/* The weights follow from the model. There are none for a bad one, which the library is about to refuse. */
 static void add_default_weights(setup_t *setup)
 {
     const epf_params_t model = parameters_model(&setup->parameters);

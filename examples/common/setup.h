@@ -21,12 +21,12 @@ typedef struct {
     const char *parameter_values[PARAMETERS];
 } setup_t;
 
-/* The options, for the table of a program. Whatever `setup` is before: the command line fills it. */
+/* The options, as groups of a command line. Their values go into `setup`, which needs no other start. */
 void setup_options(setup_t *setup, option_group_t groups[SETUP_GROUPS]);
 
-/* Makes the setup of what the command line said. The file of parameters is that of the command line, or
-   else `default_file`, unless that is NULL. Returns an exit status; unless it is EXIT_SUCCESS, the
-   problem is reported. */
+/* To be called once the command line is read. The file of parameters is the one that it names, or else
+   `default_file`; NULL for none. Returns an exit status; unless it is EXIT_SUCCESS, the problem is
+   reported. */
 int setup_read(setup_t *setup, const char *default_file);
 
 /* Starts an estimator of that variant and friction. False, and the problem reported, if the library

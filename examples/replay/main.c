@@ -11,16 +11,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Row in, estimate out, until the record ends. False after a problem in it. */
-static bool run(replay_t *replay, csv_record_t *record, FILE *result)
+/* Row in, estimate out, until the record ends. False after a problem in it. A stream may be the terminal
+   itself, where progress would stand between the rows. */
+static bool run(replay_t *replay, csv_record_t *record, const output_t *result)
 {
     csv_row_t row;
     csv_status_t status;
-    report_header(result, replay->has_force);
+    report_header(result->file, replay->has_force);
     while ((status = csv_next(record, &row)) == CSV_ROW) {
         const replay_sample_t sample = replay_row(replay, &row);
-        report_row(result, &sample, replay->has_force);
-        progress_show("row %lu", replay->summary.rows);
+        report_row(result->file, &sample, replay->has_force);
+        if (!result->is_stream) {
+            progress_show("row %lu", replay->summary.rows);
+        }
     }
     progress_end();
     return status == CSV_END;
@@ -33,7 +36,7 @@ static int write_result(replay_t *replay, csv_record_t *record, const char *out)
     if (!output_open(&output, out)) {
         return EXIT_DATA;
     }
-    if (!run(replay, record, output.file)) {
+    if (!run(replay, record, &output)) {
         output_discard(&output);
         return EXIT_DATA;
     }
@@ -84,8 +87,5 @@ int main(int argc, char **argv)
     if (result == EXIT_SUCCESS && !options.is_help) {
         result = replay_and_show(&options);
     }
-    if (result == EXIT_SUCCESS && !output_finish_stdout()) {
-        result = EXIT_DATA;
-    }
-    return result;
+    return output_finish(result);
 }

@@ -25,8 +25,7 @@ const epf_f32_coeffs_t *replay_model(const replay_t *replay)
 
 /* ---- the motion between two rows ------------------------------------------------------------ */
 
-/* Differences are taken in double: a position far from 0 must not cost the digits of a small step
- */
+/* Differences are taken in double: of a small step far from 0, float would lose the digits */
 static motion_t motion_to(const replay_t *replay, const csv_row_t *row)
 {
     const double *const first = replay->first.value;
