@@ -94,11 +94,8 @@ int main(int argc, char **argv)
     const option_group_t group = {"Options:", table, values, OPTIONS};
     const command_line_t line = {usage, &group, 1};
     const command_line_status_t status = command_line_read(&line, argc, argv);
-    int result = EXIT_SUCCESS;
     if (status == COMMAND_LINE_FAILED) {
-        result = EXIT_USAGE;
-    } else if (status == COMMAND_LINE_READ) {
-        result = make_figures(values);
+        return EXIT_USAGE;
     }
-    return output_finish_stdout() || result != EXIT_SUCCESS ? result : EXIT_DATA;
+    return output_finish(status == COMMAND_LINE_HELPED ? EXIT_SUCCESS : make_figures(values));
 }
