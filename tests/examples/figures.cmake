@@ -1,0 +1,46 @@
+# The figures of the paper, and the plant that they are made with. Included by CMakeLists.txt.
+
+set(plant "${PROJECT_SOURCE_DIR}/examples/plant")
+set(figures "${PROJECT_SOURCE_DIR}/examples/figures")
+
+epf_add_test_as(plant_test figures/plant_test.c
+    "${plant}/contact.c" "${plant}/drive.c" "${plant}/encoder.c" "${plant}/friction.c" "${plant}/noise.c"
+    "${plant}/rules.c" "${plant}/slide.c" "${plant}/trigger.c")
+target_include_directories(plant_test PRIVATE "${plant}")
+
+add_executable(claims_test figures/claims_test.c "${figures}/claims.c" "${figures}/errors.c")
+target_include_directories(claims_test PRIVATE "${figures}")
+target_link_libraries(claims_test PRIVATE epf_test_support examples_common)
+epf_own_warnings(claims_test)
+epf_test_flags(claims_test)
+epf_run_test(claims_test)
+add_test(NAME claims_say_what_fails COMMAND claims_test)
+set_tests_properties(claims_say_what_fails PROPERTIES
+    PASS_REGULAR_EXPRESSION "\n[|] 9 [|] above its limit [|] 1 N [|] <= 1 [|] FAILS [|]\n")
+
+# ---- every claim holds, and README.md tells all of them as they are printed ------------------------
+
+set(draws OFF)
+if(EPF_GNUPLOT)
+    set(draws ON)
+endif()
+add_test(NAME figures_hold_as_the_readme_tells
+    COMMAND "${CMAKE_COMMAND}"
+        "-DPROGRAM=$<TARGET_FILE:epf_figures>"
+        "-DREADME=${figures}/README.md"
+        "-DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/scratch/figures"
+        "-DDRAWS=${draws}"
+        -P "${CMAKE_CURRENT_SOURCE_DIR}/figures/check.cmake")
+set_tests_properties(figures_hold_as_the_readme_tells PROPERTIES LABELS examples TIMEOUT 300)
+
+# ---- the command line ------------------------------------------------------------------------------
+
+example_test(figures_make_one PROGRAM epf_figures STATUS 0 STDOUT "^[|] 5 .*\n4 claims, 0 fail\n$"
+    MADE figure_5.csv ARGS --figure 5 --no-pictures)
+example_test(figures_do_without_gnuplot PROGRAM epf_figures STATUS 0 NO_GNUPLOT TRUE
+    STDOUT "no picture; try:  gnuplot -c .*4 claims, 0 fail\n$" MADE figure_2.csv ARGS --figure 2)
+example_test(figures_help PROGRAM epf_figures STATUS 0 STDOUT "^usage: epf_figures" ARGS --help)
+example_test(figures_refuse_a_number PROGRAM epf_figures STATUS 2
+    STDERR "^epf_figures: command line: --figure: expected .*, found \"9\"" ARGS --figure 9)
+example_test(figures_refuse_no_folder PROGRAM epf_figures STATUS 1
+    STDERR "^epf_figures: none/figure_2.csv: cannot write" ARGS --figure 2 --out none)
