@@ -15,6 +15,13 @@ epf_own_warnings(claims_test)
 epf_test_flags(claims_test)
 epf_run_test(claims_test)
 
+add_executable(fidelity_test figures/fidelity_test.c "${figures}/fidelity_costs.c")
+target_include_directories(fidelity_test PRIVATE "${figures}")
+target_link_libraries(fidelity_test PRIVATE epf_test_support examples_common)
+epf_own_warnings(fidelity_test)
+epf_test_flags(fidelity_test)
+epf_run_test(fidelity_test)
+
 # ---- every claim holds, and README.md tells all of them as they are printed ------------------------
 
 set(draws OFF)

@@ -1,4 +1,4 @@
-# Runs epf_figures: it must succeed, and the rows of the tables in README.md must be those that it prints.
+# Runs epf_figures: it must succeed, and the tables in README.md must be those that it prints.
 #
 #   cmake -DPROGRAM=<path> -DREADME=<path> -DSCRATCH=<directory> -DDRAWS=<bool> -P check.cmake
 #
@@ -19,11 +19,12 @@ if(NOT status STREQUAL "0" OR NOT errors STREQUAL "")
     message(SEND_ERROR "exit status ${status}")
 endif()
 
-# The lines that begin with the number of a figure between bars. To CMake a semicolon or a bracket in a line
+# The rows of all tables, less those that stand above the claims. To CMake a semicolon or a bracket in a line
 # would be part of a list.
 function(rows text variable)
-    string(REGEX REPLACE "[;[]|]" "_" text "${text}")
-    string(REGEX MATCHALL "[|] [2-8] [|][^\n]*" found "${text}")
+    string(REGEX REPLACE "[;[]|]" "_" text "\n${text}")
+    string(REGEX MATCHALL "\n[|][^\n]*" found "${text}")
+    list(FILTER found EXCLUDE REGEX "^\n([|] figure [|] claim|[|]---[|]---[|]---[|]---[|]---[|])")
     set(${variable} "${found}" PARENT_SCOPE)
 endfunction()
 
@@ -40,12 +41,15 @@ foreach(row IN LISTS printed_rows)
         message(SEND_ERROR "README.md does not tell: ${row}")
     endif()
 endforeach()
+if(NOT readme_rows STREQUAL printed_rows)
+    message(SEND_ERROR "the rows in README.md are not those that were printed, in their order")
+endif()
 list(LENGTH printed_rows count)
 if(count EQUAL 0)
     message(SEND_ERROR "nothing was claimed")
 endif()
 
-foreach(figure RANGE 2 8)
+foreach(figure 2 3 4 5 6 7 8 fidelity)
     if(NOT EXISTS "${SCRATCH}/figure_${figure}.csv")
         message(SEND_ERROR "there is no figure_${figure}.csv")
     endif()
