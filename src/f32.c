@@ -70,6 +70,11 @@ static inline int8_t direction_of(float x)
     return (int8_t)((int32_t)bits_of(x) >> 31 | 1);
 }
 
+static inline float positive_part(float x)
+{
+    return from_bits(bits_of(x) & ~(uint32_t)((int32_t)bits_of(x) >> 31));
+}
+
 static inline float at_most(float x, float bound)
 {
     return x < bound ? x : bound;
@@ -153,7 +158,7 @@ float epf_f32_fss(const epf_f32_coeffs_t *coeffs, float v)
 
 static inline const epf_f32_point_t *published_point(const epf_f32_t *ep)
 {
-    return &ep->points[*(const volatile uint8_t *)&ep->published];
+    return ep->points + *(const volatile uint8_t *)&ep->published;
 }
 
 /* Volatile accesses keep their order: the index follows the point that it announces */
@@ -226,41 +231,6 @@ static inline float deflecting_part(const epf_f32_point_t *point, float gap, flo
     return part + elastic_share(gap * point->inv_span) * (dx - part);
 }
 
-/* 1 - v + 5/8 v^2: near the root of (1 - exp(-4 v))/(4 v), the mean of an exponential over a step */
-static inline float mean_root(float v)
-{
-    return 1.0f - v * (1.0f - 0.625f * v);
-}
-
-/* EPF_UPDATE_MEAN_VALUE: the gap at which to take eq. (12), somewhere inside the step. Both fixed-point
-   variants have it too: mean_value.h explains it. */
-static inline float mean_gap(const epf_f32_point_t *point, float z_ba, float gap, float d)
-{
-    const float p = at_most(0.25f * (d * point->inv_span), 0.625f);
-    const float u = gap * point->inv_span;
-    const float r = 1.0f - z_ba * point->inv_z_ss;
-    const float w = u - u * (1.25f * p);
-    const float b = w * (2.75f - 1.625f * w);
-    const float h = mean_root(p * (b + r * (1.0f - w * b)));
-    return gap * (h * h);
-}
-
-/* The part of a displacement that is all deflection, up to z_ba, and then what of the rest is */
-static inline float mean_deflection(const epf_f32_point_t *point, float z_ba, float room, float gap,
-                                    float d)
-{
-    const float elastic = room > 0.0f ? room : 0.0f;
-    const float rest = d - elastic;
-    const float y = deflecting_part(point, mean_gap(point, z_ba, gap - elastic, rest), rest);
-    return at_most(elastic + y, d); /* rounding may have carried it beyond */
-}
-
-/* A leap says nothing about the way: it ends in z_ss */
-static inline int is_leap(const epf_f32_coeffs_t *c, float d)
-{
-    return d >= 2.0f * c->z_max;
-}
-
 /* Where dx leads from z. In its direction s the deflection is zeta = s z, and the gap z_ss - zeta,
    in case 1 not positive. */
 typedef struct {
@@ -269,21 +239,16 @@ typedef struct {
     float y; /* eq. (12) */
 } course_t;
 
-static IN_LINE course_t course(const epf_f32_t *ep, const epf_f32_point_t *point, float dx)
+static IN_LINE course_t course(const epf_f32_t *ep, const epf_f32_point_t *point, float z_ba,
+                               float dx)
 {
-    const epf_f32_coeffs_t *c = ep->coeffs;
-    const float s = sign_of(dx), d = magnitude(dx);
+    const float s = sign_of(dx);
     const deflection_t z = {ep->z, ep->z_low};
     const float zeta = s * z.high;
     const float gap = gap_of(z, s, point->z_ss);
-    const float room = c->z_ba - zeta;
     float y = dx;
-    if (d > room) { /* not all elastic */
-        if (rule_in_use(c->update) == EPF_UPDATE_SATURATED) {
-            y = room < 0.0f ? deflecting_part(point, gap, dx) : dx;
-        } else if (gap > 0.0f && !is_leap(c, d)) {
-            y = s * mean_deflection(point, c->z_ba, room, gap, d);
-        }
+    if (LIKELY(zeta > z_ba)) {
+        y = deflecting_part(point, gap, dx);
     }
     return (course_t){z, s, gap, y};
 }
@@ -309,36 +274,11 @@ static inline void stand_still(epf_f32_t *ep)
     ep->direction = 0;
 }
 
-/* Case 1 by the mean-value rule: near 1 - exp(-q) of the excess over z_ss goes, q = d/z_ss */
-static inline int lets_go(const epf_f32_coeffs_t *c, const course_t *to)
+/* EPF_UPDATE_SATURATED, the rule of the paper */
+static IN_LINE float advance_saturated(epf_f32_t *ep, float dx)
 {
-    return rule_in_use(c->update) == EPF_UPDATE_MEAN_VALUE && to->gap < 0.0f;
-}
-
-static OUT_OF_LINE void let_go(epf_f32_t *ep, const epf_f32_point_t *point, float dx)
-{
-    const float s = sign_of(dx), d = magnitude(dx);
-    const deflection_t z = {ep->z, ep->z_low};
-    const float gap = gap_of(z, s, point->z_ss);
-    const float q = at_most(d * point->inv_z_ss, 4.0f);
-    const float h = mean_root(0.25f * q);
-    const float share = q * (h * h);
-    if (share < 1.0f && !is_leap(ep->coeffs, d)) {
-        const float dz = s * (gap * share);
-        keep(ep, dx, sum_of(z, dz), dz);
-    } else {
-        keep(ep, dx, (deflection_t){s * point->z_ss, 0.0f}, s * gap);
-    }
-}
-
-float epf_f32_advance(epf_f32_t *ep, float dx)
-{
-    if (!LIKELY(!is_zero(dx))) {
-        stand_still(ep);
-        return ep->z;
-    }
     const epf_f32_point_t *point = published_point(ep);
-    const course_t to = course(ep, point, dx);
+    const course_t to = course(ep, point, ep->coeffs->z_ba, dx);
     deflection_t z = {to.s * point->z_ss, 0.0f};
     if (LIKELY(stays_below(&to))) {
         z = sum_of(to.z, to.y);
@@ -346,13 +286,107 @@ float epf_f32_advance(epf_f32_t *ep, float dx)
     } else if (is_nan(dx)) {
         reject(ep);
         z = to.z;
-    } else if (lets_go(ep->coeffs, &to)) {
-        let_go(ep, point, dx);
-        z.high = ep->z;
     } else {
         keep(ep, dx, z, to.s * to.gap); /* cases 1 and 3 */
     }
     return z.high;
+}
+
+/* ---- EPF_UPDATE_MEAN_VALUE: mean_value.h has it for integers, and explains it ----------------- */
+
+/* 1 - v + 5/8 v^2: near the root of (1 - exp(-4 v))/(4 v), the mean of an exponential over a step */
+static inline float mean_root(float v)
+{
+    return (1.0f - v) + 0.625f * (v * v);
+}
+
+/* Where to take eq. (12), as a share of the span */
+static inline float mean_share(float inv_span, float r, float u, float d)
+{
+    const float p = at_most(d * (0.25f * inv_span), 0.625f);
+    const float w = u - (1.25f * u) * p;
+    const float b = w * (2.75f - 1.625f * w);
+    const float h = mean_root(p * (r + b * (1.0f - r * w)));
+    return u * (h * h);
+}
+
+/* dzeta below z_ss: all of d as far as there is room for it up to z_ba, then a part of the rest */
+static inline float mean_value(const epf_f32_point_t *point, float z_ba, float room, float gap,
+                               float d)
+{
+    const float rest = d - positive_part(room);
+    const float elastic = d - rest; /* exactly, so that dzeta is d at the most */
+    const float r = (point->z_ss - z_ba) * point->inv_z_ss;
+    const float u = (gap - elastic) * point->inv_span;
+    const float x = mean_share(point->inv_span, r, u, rest);
+    const float part = (r * x) * rest; /* (1 - zeta/z_ss) dx */
+    return elastic + (part + elastic_share(x) * (rest - part));
+}
+
+/* dzeta above z_ss: near 1 - exp(-q) of the excess goes, q = d/z_ss */
+static inline float let_go(const epf_f32_point_t *point, float gap, float d)
+{
+    const float q = at_most(d * point->inv_z_ss, 4.0f);
+    const float h = mean_root(0.25f * q);
+    return gap * (q * (h * h));
+}
+
+/* Is d >= 2 z_max, or NaN? Such a leap says nothing about the way: it ends in z_ss. Floats that are not
+   negative compare as their bits do, with NaN above all. */
+static inline int is_leap(const epf_f32_coeffs_t *c, float d)
+{
+    return bits_of(d) >= bits_of(c->z_max) + 0x00800000u;
+}
+
+static IN_LINE float move_by(epf_f32_t *ep, deflection_t z, float dx, float dz)
+{
+    const deflection_t next = sum_of(z, dz);
+    keep(ep, dx, next, dz);
+    return next.high;
+}
+
+static IN_LINE float advance_by_mean_value(epf_f32_t *ep, float dx)
+{
+    const epf_f32_point_t *point = published_point(ep);
+    const float s = sign_of(dx), d = magnitude(dx);
+    const epf_f32_coeffs_t *c = ep->coeffs;
+    const deflection_t z = {ep->z, ep->z_low};
+    const float gap = gap_of(z, s, point->z_ss);
+    const float room = c->z_ba - s * z.high;
+    if (d <= room) {
+        return move_by(ep, z, dx, dx); /* all elastic */
+    }
+    if (LIKELY(!is_leap(c, d))) {
+        if (LIKELY(gap > 0.0f)) {
+            const float y = mean_value(point, c->z_ba, room, gap, d);
+            if (LIKELY(y < gap)) {
+                return move_by(ep, z, dx, s * y);
+            }
+        } else {
+            const float y = let_go(point, gap, d);
+            if (y > gap) {
+                return move_by(ep, z, dx, s * y);
+            }
+        }
+    } else if (is_nan(dx)) {
+        reject(ep);
+        return z.high;
+    }
+    keep(ep, dx, (deflection_t){s * point->z_ss, 0.0f}, s * gap);
+    return s * point->z_ss;
+}
+
+/* ---- both rules ------------------------------------------------------------------------------ */
+
+float epf_f32_advance(epf_f32_t *ep, float dx)
+{
+    if (!LIKELY(!is_zero(dx))) {
+        stand_still(ep);
+        return ep->z;
+    }
+    return LIKELY(rule_in_use(ep->coeffs->update) != EPF_UPDATE_SATURATED)
+               ? advance_by_mean_value(ep, dx)
+               : advance_saturated(ep, dx);
 }
 
 float epf_f32_update(epf_f32_t *ep, float dx, float v)
@@ -442,10 +476,21 @@ float epf_f32_force(epf_f32_t *ep, float dt)
 
 /* ---- all of Algorithm 1 --------------------------------------------------------------------- */
 
+static OUT_OF_LINE float step_by_calls(epf_f32_t *ep, float dx, float v, float dt)
+{
+    epf_f32_set_velocity(ep, v);
+    (void)epf_f32_advance(ep, dx);
+    return epf_f32_force(ep, dt);
+}
+
 /* The bits of set_velocity, advance and force, without their way through memory */
 float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
 {
     const epf_f32_coeffs_t *c = ep->coeffs;
+    if (!LIKELY(rule_in_use(c->update) == EPF_UPDATE_SATURATED)) {
+        return step_by_calls(ep, dx, v, dt);
+    }
+    const float z_ba = c->z_ba;
     epf_f32_point_t point;
     if (LIKELY(make_point(&point, c, v))) {
         publish_point(ep, point);
@@ -457,7 +502,7 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
         stand_still(ep);
         return epf_f32_force(ep, dt);
     }
-    const course_t to = course(ep, &point, dx);
+    const course_t to = course(ep, &point, z_ba, dx);
     if (LIKELY(stays_below(&to))) {
         const deflection_t z = sum_of(to.z, to.y);
         const float viscous = c->sigma_2 * (to.s * magnitude(point.v));
@@ -472,10 +517,6 @@ float epf_f32_step(epf_f32_t *ep, float dx, float v, float dt)
     }
     if (!LIKELY(magnitude(to.y) >= to.gap) && is_nan(dx)) { /* NaN is neither below nor above */
         reject(ep);
-        return epf_f32_force(ep, dt);
-    }
-    if (lets_go(c, &to)) {
-        let_go(ep, published_point(ep), dx);
         return epf_f32_force(ep, dt);
     }
     /* cases 1 and 3: all terms in the direction of the motion, where only the damping may oppose */

@@ -70,7 +70,8 @@ static LEAF int32_t let_go(int32_t z_ss, int32_t excess, int32_t d)
     ensures gap <= 0 ==> gap <= \result <= 0;
     ensures gap < 0 ==> \result < 0;
 */
-static IN_LINE int32_t mean_value_rule(const point_t *point, int32_t room, int32_t gap, int32_t d)
+static OUT_OF_LINE int32_t mean_value_rule(const point_t *point, int32_t room, int32_t gap,
+                                           int32_t d)
 {
     if (gap <= 0) {
         return -let_go(point->z_ss, -gap, d); /* case 1 */
