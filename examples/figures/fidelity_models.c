@@ -52,7 +52,7 @@ bool model_is_measured_as(model_t model, const char **variant, const char **rule
 }
 
 /* Weights so fine that it is not the encoder which is measured. Positions by default have 1e6 (q31) and
-   16,000 counts (q15) per z_max, of 15 um. */
+   16,000 counts (q15) per z_max, which is 15 um. */
 static epf_lsb_t weights(const variant_t *variant, const epf_params_t *params, double spacing)
 {
     if (variant->format == NULL) {

@@ -69,8 +69,8 @@ const char *trigger_name(int trigger)
 
 double trigger_value(int trigger)
 {
-    return trigger < SPACINGS ? triggers[trigger].spacing
-                              : (double)LOOKS_PER_SECOND / (double)triggers[trigger].looks;
+    const double spacing = triggers[trigger].spacing;
+    return spacing > 0.0 ? spacing : (double)LOOKS_PER_SECOND / (double)triggers[trigger].looks;
 }
 
 /* ---- the run -------------------------------------------------------------------------------- */

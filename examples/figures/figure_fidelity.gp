@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # gnuplot -c figure_fidelity.gp figure_fidelity.csv figure_fidelity.png
-height = 520
+height = 505
 data = ARG1
 picture = ARG2
 load ARG0[1:strlen(ARG0)-18].'style.gp'
