@@ -6,7 +6,6 @@
 #include "tables.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdlib.h>
 
@@ -16,22 +15,34 @@ typedef struct {
     const variant_t *variant;
     epf_update_t update;
     rule_t *rule;
-    const char *measured_as; /* a variant of the benchmark; NULL: not there */
+    measured_t measured;
 } description_t;
 
 static const description_t descriptions[MODELS] = {
-    {"mean value f32", &variant_f32, EPF_UPDATE_MEAN_VALUE, NULL, "f32"},
-    {"mean value q31", &variant_q31, EPF_UPDATE_MEAN_VALUE, NULL, "q31"},
-    {"mean value q15", &variant_q15, EPF_UPDATE_MEAN_VALUE, NULL, "q15"},
-    {"saturated f32", &variant_f32, EPF_UPDATE_SATURATED, NULL, "f32"},
-    {"saturated q31", &variant_q31, EPF_UPDATE_SATURATED, NULL, "q31"},
-    {"saturated q15", &variant_q15, EPF_UPDATE_SATURATED, NULL, "q15"},
-    {"exact flow", NULL, EPF_UPDATE_SATURATED, rule_exact_flow, NULL},
-    {"mean value f32 at end velocity", &variant_f32, EPF_UPDATE_MEAN_VALUE, NULL, "f32"},
-    {"Algorithm 1 as printed", NULL, EPF_UPDATE_SATURATED, rule_algorithm_1_as_printed, "naive"},
-    {"elasto-plastic by Euler", NULL, EPF_UPDATE_SATURATED, rule_elasto_plastic_euler, "ep_euler"},
-    {"LuGre by Euler", NULL, EPF_UPDATE_SATURATED, rule_lugre_euler, "lugre_euler"},
-    {"LuGre by exact hold", NULL, EPF_UPDATE_SATURATED, rule_lugre_exact, "lugre_exact"},
+    {"mean value f32", &variant_f32, EPF_UPDATE_MEAN_VALUE, NULL, {"f32", "mean_value"}},
+    {"mean value q31", &variant_q31, EPF_UPDATE_MEAN_VALUE, NULL, {"q31", "mean_value"}},
+    {"mean value q15", &variant_q15, EPF_UPDATE_MEAN_VALUE, NULL, {"q15", "mean_value"}},
+    {"saturated f32", &variant_f32, EPF_UPDATE_SATURATED, NULL, {"f32", "saturated"}},
+    {"saturated q31", &variant_q31, EPF_UPDATE_SATURATED, NULL, {"q31", "saturated"}},
+    {"saturated q15", &variant_q15, EPF_UPDATE_SATURATED, NULL, {"q15", "saturated"}},
+    {"exact flow", NULL, EPF_UPDATE_SATURATED, rule_exact_flow, {NULL, NULL}},
+    {"mean value f32 at end velocity",
+     &variant_f32,
+     EPF_UPDATE_MEAN_VALUE,
+     NULL,
+     {"f32", "mean_value"}},
+    {"Algorithm 1 as printed",
+     NULL,
+     EPF_UPDATE_SATURATED,
+     rule_algorithm_1_as_printed,
+     {"naive", "any"}},
+    {"elasto-plastic by Euler",
+     NULL,
+     EPF_UPDATE_SATURATED,
+     rule_elasto_plastic_euler,
+     {"ep_euler", "any"}},
+    {"LuGre by Euler", NULL, EPF_UPDATE_SATURATED, rule_lugre_euler, {"lugre_euler", "any"}},
+    {"LuGre by exact hold", NULL, EPF_UPDATE_SATURATED, rule_lugre_exact, {"lugre_exact", "any"}},
 };
 
 const char *model_name(model_t model)
@@ -39,16 +50,9 @@ const char *model_name(model_t model)
     return descriptions[model].name;
 }
 
-bool model_is_measured_as(model_t model, const char **variant, const char **rule)
+measured_t model_measured(model_t model)
 {
-    const description_t *description = &descriptions[model];
-    *variant = description->measured_as;
-    if (description->variant == NULL) {
-        *rule = "any";
-    } else {
-        *rule = description->update == EPF_UPDATE_MEAN_VALUE ? "mean_value" : "saturated";
-    }
-    return *variant != NULL;
+    return descriptions[model].measured;
 }
 
 /* Weights so fine that it is not the encoder which is measured. Positions by default have 1e6 (q31) and

@@ -30,8 +30,12 @@ typedef enum {
 
 const char *model_name(model_t model);
 
-/* Under which names its step stands in the benchmark; false if it does not */
-bool model_is_measured_as(model_t model, const char **variant, const char **rule);
+/* Under which names its step stands in the benchmark; NULL: it does not */
+typedef struct {
+    const char *variant, *rule;
+} measured_t;
+
+measured_t model_measured(model_t model);
 
 /* One of them at work, on the friction of Table II. Must stay where it is once started. */
 typedef struct {
@@ -41,10 +45,10 @@ typedef struct {
     errors_t errors;       /* of z at the updates, m */
 } runner_t;
 
-/* From rest at 0. What counts has at least 16 counts per D_x; a spacing of 0 is none. */
+/* From rest at x = 0. Integers have at least 16 counts per spacing, m; 0: updates are timed. */
 void runner_start(runner_t *runner, model_t model, double spacing);
 
-/* Makes an update, and compares it with the motion, in which it leads there at that time */
+/* Makes an update, and compares z with that of the motion, which is there at that time */
 void runner_update(runner_t *runner, const update_t *update, const slide_state_t *motion,
                    double time);
 

@@ -4,6 +4,7 @@
 #include "fidelity_costs.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 
 static void print_header(int motion, int first, int end)
@@ -22,11 +23,10 @@ static void print_header(int motion, int first, int end)
 /* Of what the benchmark measures */
 static void print_cycles(model_t model)
 {
-    const char *variant = NULL;
-    const char *rule = NULL;
-    const unsigned long cycles = model_is_measured_as(model, &variant, &rule)
-                                     ? step_cycles(EPF_BENCH_BASELINE, variant, rule)
-                                     : 0;
+    const measured_t measured = model_measured(model);
+    const unsigned long cycles =
+        measured.variant != NULL ? step_cycles(EPF_BENCH_BASELINE, measured.variant, measured.rule)
+                                 : 0;
     if (cycles > 0) {
         (void)printf(" %lu |", cycles);
     } else {

@@ -28,14 +28,19 @@ set(draws OFF)
 if(EPF_GNUPLOT)
     set(draws ON)
 endif()
+set(check_figures "${CMAKE_COMMAND}"
+    "-DPROGRAM=$<TARGET_FILE:epf_figures>"
+    "-DREADME=${figures}/README.md"
+    "-DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/scratch/figures"
+    "-DDRAWS=${draws}")
 add_test(NAME figures_hold_as_the_readme_tells
-    COMMAND "${CMAKE_COMMAND}"
-        "-DPROGRAM=$<TARGET_FILE:epf_figures>"
-        "-DREADME=${figures}/README.md"
-        "-DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/scratch/figures"
-        "-DDRAWS=${draws}"
-        -P "${CMAKE_CURRENT_SOURCE_DIR}/figures/check.cmake")
+    COMMAND ${check_figures} -P "${CMAKE_CURRENT_SOURCE_DIR}/figures/check.cmake")
 set_tests_properties(figures_hold_as_the_readme_tells PROPERTIES LABELS examples TIMEOUT 300)
+
+# Writes what is printed into the tables of README.md
+add_custom_target(figures_update
+    COMMAND ${check_figures} -DUPDATE=ON -P "${CMAKE_CURRENT_SOURCE_DIR}/figures/check.cmake"
+    DEPENDS epf_figures VERBATIM)
 
 # ---- the command line ------------------------------------------------------------------------------
 
