@@ -9,6 +9,6 @@
 
 typedef void figure_t(FILE *csv, claims_t *claims);
 
-figure_t figure_2, figure_3, figure_4, figure_5, figure_6, figure_7, figure_8;
+figure_t figure_2, figure_3, figure_4, figure_5, figure_6, figure_7, figure_8, figure_fidelity;
 
 #endif

@@ -18,20 +18,32 @@ add_test(NAME claims_say_what_fails COMMAND claims_test)
 set_tests_properties(claims_say_what_fails PROPERTIES
     PASS_REGULAR_EXPRESSION "\n[|] 9 [|] above its limit [|] 1 N [|] <= 1 [|] FAILS [|]\n")
 
+add_executable(fidelity_test figures/fidelity_test.c "${figures}/fidelity_costs.c")
+target_include_directories(fidelity_test PRIVATE "${figures}")
+target_link_libraries(fidelity_test PRIVATE epf_test_support examples_common)
+epf_own_warnings(fidelity_test)
+epf_test_flags(fidelity_test)
+epf_run_test(fidelity_test)
+
 # ---- every claim holds, and README.md tells all of them as they are printed ------------------------
 
 set(draws OFF)
 if(EPF_GNUPLOT)
     set(draws ON)
 endif()
+set(check_figures "${CMAKE_COMMAND}"
+    "-DPROGRAM=$<TARGET_FILE:epf_figures>"
+    "-DREADME=${figures}/README.md"
+    "-DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/scratch/figures"
+    "-DDRAWS=${draws}")
 add_test(NAME figures_hold_as_the_readme_tells
-    COMMAND "${CMAKE_COMMAND}"
-        "-DPROGRAM=$<TARGET_FILE:epf_figures>"
-        "-DREADME=${figures}/README.md"
-        "-DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/scratch/figures"
-        "-DDRAWS=${draws}"
-        -P "${CMAKE_CURRENT_SOURCE_DIR}/figures/check.cmake")
+    COMMAND ${check_figures} -P "${CMAKE_CURRENT_SOURCE_DIR}/figures/check.cmake")
 set_tests_properties(figures_hold_as_the_readme_tells PROPERTIES LABELS examples TIMEOUT 300)
+
+# Writes what is printed into the tables of README.md
+add_custom_target(figures_update
+    COMMAND ${check_figures} -DUPDATE=ON -P "${CMAKE_CURRENT_SOURCE_DIR}/figures/check.cmake"
+    DEPENDS epf_figures VERBATIM)
 
 # ---- the command line ------------------------------------------------------------------------------
 

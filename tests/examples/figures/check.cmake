@@ -1,8 +1,9 @@
-# Runs epf_figures: it must succeed, and the rows of the tables in README.md must be those that it prints.
+# Runs epf_figures: it must succeed, and the tables in README.md must be those that it prints.
 #
-#   cmake -DPROGRAM=<path> -DREADME=<path> -DSCRATCH=<directory> -DDRAWS=<bool> -P check.cmake
+#   cmake -DPROGRAM=<path> -DREADME=<path> -DSCRATCH=<directory> -DDRAWS=<bool> [-DUPDATE=<bool>] -P check.cmake
 #
-#   DRAWS  if true, gnuplot is there, and draws every figure
+#   DRAWS   if true, gnuplot is there, and draws every figure
+#   UPDATE  if true, the tables in README.md become those that are printed; a row more or less is for people
 
 cmake_policy(VERSION 3.16)
 
@@ -19,17 +20,47 @@ if(NOT status STREQUAL "0" OR NOT errors STREQUAL "")
     message(SEND_ERROR "exit status ${status}")
 endif()
 
-# The lines that begin with the number of a figure between bars. To CMake a semicolon or a bracket in a line
-# would be part of a list.
+# The rows of all tables, less those that stand above the claims. What to CMake would be part of a list
+# goes by other names meanwhile.
 function(rows text variable)
-    string(REGEX REPLACE "[;[]|]" "_" text "${text}")
-    string(REGEX MATCHALL "[|] [2-8] [|][^\n]*" found "${text}")
+    string(REPLACE ";" "<semicolon>" text "\n${text}")
+    string(REPLACE "[" "<open>" text "${text}")
+    string(REPLACE "]" "<close>" text "${text}")
+    string(REGEX MATCHALL "\n[|][^\n]*" found "${text}")
+    list(FILTER found EXCLUDE REGEX "^\n([|] figure [|] claim|[|]---[|]---[|]---[|]---[|]---[|])")
     set(${variable} "${found}" PARENT_SCOPE)
+endfunction()
+
+function(as_written row variable)
+    string(REPLACE "<semicolon>" ";" row "${row}")
+    string(REPLACE "<open>" "[" row "${row}")
+    string(REPLACE "<close>" "]" row "${row}")
+    set(${variable} "${row}" PARENT_SCOPE)
 endfunction()
 
 file(READ "${README}" readme)
 rows("${printed}" printed_rows)
 rows("${readme}" readme_rows)
+if(UPDATE)
+    list(LENGTH readme_rows old_count)
+    list(LENGTH printed_rows new_count)
+    if(NOT old_count EQUAL new_count)
+        message(FATAL_ERROR "README.md has ${old_count} rows, ${new_count} were printed")
+    endif()
+    set(updated)
+    foreach(new IN LISTS printed_rows)
+        list(POP_FRONT readme_rows old)
+        as_written("${old}" old)
+        as_written("${new}" new)
+        string(FIND "${readme}" "${old}" place)
+        string(SUBSTRING "${readme}" 0 ${place} before)
+        string(LENGTH "${before}${old}" taken)
+        string(SUBSTRING "${readme}" ${taken} -1 readme)
+        string(APPEND updated "${before}${new}")
+    endforeach()
+    file(WRITE "${README}" "${updated}${readme}")
+    return()
+endif()
 foreach(row IN LISTS readme_rows)
     if(NOT row IN_LIST printed_rows)
         message(SEND_ERROR "README.md tells what was not printed: ${row}")
@@ -40,12 +71,15 @@ foreach(row IN LISTS printed_rows)
         message(SEND_ERROR "README.md does not tell: ${row}")
     endif()
 endforeach()
+if(NOT readme_rows STREQUAL printed_rows)
+    message(SEND_ERROR "the rows in README.md are not those that were printed, in their order")
+endif()
 list(LENGTH printed_rows count)
 if(count EQUAL 0)
     message(SEND_ERROR "nothing was claimed")
 endif()
 
-foreach(figure RANGE 2 8)
+foreach(figure 2 3 4 5 6 7 8 fidelity)
     if(NOT EXISTS "${SCRATCH}/figure_${figure}.csv")
         message(SEND_ERROR "there is no figure_${figure}.csv")
     endif()
