@@ -22,12 +22,11 @@ enum { FIGURES = sizeof figures / sizeof figures[0] };
 static const char usage[] =
     "usage: epf_figures [options]\n"
     "\n"
-    "Makes the figures of the paper, each as figure_N.csv and figure_N.png, and prints for each
-"
-    "claim about them what was measured, what the limit is and whether it holds. Fails if one does
-"
-    "not. The last, fidelity, is none of the paper's: how close each model comes to the continuous
-"
+    "Makes the figures of the paper, each as figure_N.csv and figure_N.png, and prints for each\n"
+    "claim about them what was measured, what the limit is and whether it holds. Fails if one "
+    "does\n"
+    "not. The last, fidelity, is none of the paper's: how close each model comes to the "
+    "continuous\n"
     "one.";
 
 enum { OUT, FIGURE, NO_PICTURES, OPTIONS };
