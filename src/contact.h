@@ -299,7 +299,7 @@ void EPF(init)(contact_t *ep, const coeffs_t *coeffs)
     ep->rejected = 0;
     ep->published = 0;
     rest_at(ep, 0, 0);
-    EPF(set_velocity)(ep, 0);
+    (void)set_point(ep, 0);
 }
 
 /*@ requires valid_contact(ep);

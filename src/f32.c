@@ -292,51 +292,9 @@ static IN_LINE float advance_saturated(epf_f32_t *ep, float dx)
     return z.high;
 }
 
-/* ---- EPF_UPDATE_MEAN_VALUE: mean_value.h has it for integers, and explains it ----------------- */
+/* ---- EPF_UPDATE_MEAN_VALUE ------------------------------------------------------------------- */
 
-/* 1 - v + 5/8 v^2: near the root of (1 - exp(-4 v))/(4 v), the mean of an exponential over a step */
-static inline float mean_root(float v)
-{
-    return (1.0f - v) + 0.625f * (v * v);
-}
-
-/* Where to take eq. (12), as a share of the span */
-static inline float mean_share(float inv_span, float r, float u, float d)
-{
-    const float p = at_most(d * (0.25f * inv_span), 0.625f);
-    const float w = u - (1.25f * u) * p;
-    const float b = w * (2.75f - 1.625f * w);
-    const float h = mean_root(p * (r + b * (1.0f - r * w)));
-    return u * (h * h);
-}
-
-/* dzeta below z_ss: all of d as far as there is room for it up to z_ba, then a part of the rest */
-static inline float mean_value(const epf_f32_point_t *point, float z_ba, float room, float gap,
-                               float d)
-{
-    const float rest = d - positive_part(room);
-    const float elastic = d - rest; /* exactly, so that dzeta is d at the most */
-    const float r = (point->z_ss - z_ba) * point->inv_z_ss;
-    const float u = at_most(gap * point->inv_span, 1.0f);
-    const float x = mean_share(point->inv_span, r, u, rest);
-    const float part = (r * x) * rest; /* (1 - zeta/z_ss) dx */
-    return elastic + (part + elastic_share(x) * (rest - part));
-}
-
-/* dzeta above z_ss: near 1 - exp(-q) of the excess goes, q = d/z_ss */
-static inline float let_go(const epf_f32_point_t *point, float gap, float d)
-{
-    const float q = at_most(d * point->inv_z_ss, 4.0f);
-    const float h = mean_root(0.25f * q);
-    return gap * (q * (h * h));
-}
-
-/* Is d >= 2 z_max, or NaN? Such a leap says nothing about the way: it ends in z_ss. Floats that are not
-   negative compare as their bits do, with NaN above all. */
-static inline int is_leap(const epf_f32_coeffs_t *c, float d)
-{
-    return bits_of(d) >= bits_of(c->z_max) + 0x00800000u;
-}
+#include "mean_value_f32.h"
 
 static IN_LINE float move_by(epf_f32_t *ep, deflection_t z, float dx, float dz)
 {
@@ -356,16 +314,16 @@ static IN_LINE float advance_by_mean_value(epf_f32_t *ep, float dx)
     if (d < room) {
         return move_by(ep, z, dx, dx); /* all elastic */
     }
-    if (LIKELY(!is_leap(c, d))) {
+    if (LIKELY(d < 2.0f * c->z_max)) { /* more says nothing about the way: it ends in z_ss */
         if (LIKELY(gap > 0.0f)) {
-            const float y = mean_value(point, c->z_ba, room, gap, d);
-            if (LIKELY(y < gap)) {
-                return move_by(ep, z, dx, s * y);
+            const float dzeta = mean_value(point, c->z_ba, room, gap, d);
+            if (LIKELY(dzeta < gap)) {
+                return move_by(ep, z, dx, s * dzeta);
             }
         } else {
-            const float y = let_go(point, gap, d);
-            if (y > gap) {
-                return move_by(ep, z, dx, s * y);
+            const float dzeta = let_go(point, gap, d);
+            if (dzeta > gap) {
+                return move_by(ep, z, dx, s * dzeta);
             }
         }
     } else if (is_nan(dx)) {

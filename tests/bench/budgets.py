@@ -3,7 +3,8 @@
 
 core      patterns, separated by spaces
 function  or several, joined by +, whose worst are summed; "any"; "run time": any but coeffs_init
-rule      of update, in a build with both; "any"; of sizes: of a library compiled for it
+rule      of update, in a build with both; or "... alone", in a build for that one; "any"; of flash: of a
+          library compiled for it
 form      of f_ss, or "any"; "one": of a library compiled for one
 path      "any"; "finite": with an ordinary contact, all but the extremes and what is rejected
 at_most   of the worst that was run
@@ -45,7 +46,7 @@ def size(core, table, variant, function, budget):
     """What stands in the table of figures."""
     if budget["form"] == "one":
         return table[variant, function, budget["rule"], "one form", budget["metric"]].get(core)
-    return figures.worst(table, variant, function, budget["metric"]).get(core)
+    return figures.worst(table, variant, function, budget["metric"], budget["rule"]).get(core)
 
 
 def values(core, table, measured, budget):

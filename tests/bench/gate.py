@@ -16,7 +16,8 @@ EXCEPTIONS = images.HERE / "exceptions.csv"
 WHAT = ("bound", "stack", "refused", "branch")
 MOST = {"cycles": 110, "instructions": 115} # % of what was run, where that is the cost
 PLACE = ("core", "variant", "function", "rule")
-BRANCH = 6 # cycles or instructions: a load, a comparison and a branch taken; or 2 % of a call, if more
+BRANCH = 10 # cycles or instructions: a load, a comparison, a branch, and registers that are laid out
+            # otherwise; or 4 % of a call, if that is more
 
 
 def matches(patterns, name):
@@ -52,7 +53,7 @@ def of_stack(_, used, deepest):
 
 def of_branch(_, run, more):
     """The same of a build with both rules: a call costs what it costs alone, but for one branch."""
-    if more > max(BRANCH, run * 2 // 100):
+    if more > max(BRANCH, run * 4 // 100):
         yield "branch", f"in a build with both rules it costs up to {more} more; at worst {run}"
 
 

@@ -67,11 +67,21 @@ def instructions(image, program):
     return found
 
 
-def symbols(image, file):
-    """[(address, size, name)] of the functions and objects of a file."""
+def plain(name):
+    """The name of a function without what a build for one form or rule adds, see epf/detail/names.h."""
+    return name.partition("_for_")[0]
+
+
+def linked_symbols(image, file):
+    """[(address, size, name)] of the functions and objects of a file, by their names for the linker."""
     pattern = re.compile(r"([0-9a-f]+) .{7} \S+\t([0-9a-f]+) (?:\.hidden )?(\S+)$", re.M)
     found = pattern.findall(run(image.objdump, "-t", image.folder / file))
     return [(int(address, 16), int(size, 16), name) for address, size, name in found]
+
+
+def symbols(image, file):
+    """The same by their names in C."""
+    return [(address, size, plain(name)) for address, size, name in linked_symbols(image, file)]
 
 
 def object_sizes(image):
@@ -82,8 +92,9 @@ def object_sizes(image):
 def occupied(image, library, *functions):
     """Bytes (in flash, in RAM) of a link of these functions with all that they need, and no more."""
     elf = image.folder / "occupied"
-    roots = [f"-Wl,-u,{name}" for name in functions]
-    run(*image.link, "-nostartfiles", "-Wl,--gc-sections", f"-Wl,-e,{functions[0]}", *roots,
+    linked = {plain(name): name for _, _, name in linked_symbols(image, f"lib{library}.a")}
+    roots = [f"-Wl,-u,{linked[name]}" for name in functions]
+    run(*image.link, "-nostartfiles", "-Wl,--gc-sections", f"-Wl,-e,{linked[functions[0]]}", *roots,
         image.folder / f"lib{library}.a", "-lm", "-o", elf)
     sections = re.findall(r"^ +\d+ (\S+) +([0-9a-f]{8}) .*\n +(.*)$",
                           run(image.objdump, "-h", elf), re.M)
