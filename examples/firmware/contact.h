@@ -7,7 +7,7 @@
 
 /* sigma_0, sigma_1, sigma_2, f_c, f_max, v_s, z_ba */
 #define SLIDE \
-    1e5f, 15.0f, 20.0f, 1.0f, 1.5f, 1e-3f, 7e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
+    1e5f, 15.0f, 20.0f, 1.0f, 1.5f, 1e-3f, 7e-6f, EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_MEAN_VALUE
 
 #define COUNT   1e-7f /* m, of the encoder */
 #define SPEED   1e-5f /* m/s */

@@ -14,7 +14,9 @@
  * Promises. With valid coefficients, and whatever the inputs are:
  *  - |z| <= z_max, and after any motion |z| <= max(|z before|, z_ss(v));
  *  - the force is finite;
- *  - a displacement of 2 z_max or more, infinity included, ends exactly in z_ss(v);
+ *  - a displacement of 2 z_max or more, infinity included, ends exactly in z_ss(v), by either update rule;
+ *    up to there a longer one never ends further from z_ss(v) than a shorter one, by the mean-value rule to
+ *    1e-6 z_max;
  *  - NaN is ignored, and counted in `rejected`; one good sample after it is a good sample. A jump of
  *    dx is valid input: it saturates the state, which the next motion or a reset then corrects;
  *  - step returns and leaves, bit for bit, what set_velocity, advance and force would.
@@ -24,7 +26,7 @@
  * sum of displacements is exact where each of them is 0 or at least 2^-23 z_max and z itself is a multiple
  * of 2^-46 z_max; else each displacement is rounded by 2^-48 z_max at the most, and these roundings can add
  * up. A motion that ends within one rounding of z_ss ends in z_ss. One step is within 1e-6 z_max of the
- * same step in double precision.
+ * same step in double precision, by the mean-value rule within 2e-6 z_max.
  *
  * Contexts. Three may share one estimator without locks, on one core:
  *  - the *displacement* context (an encoder interrupt, or the control loop) calls advance, update,
@@ -123,7 +125,7 @@ epf_status_t epf_f32_coeffs_init(epf_f32_coeffs_t *coeffs, const epf_params_t *p
  * serve both:
  *
  *     #define SLIDE 1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 8e-6f, \
- *                   EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
+ *                   EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_MEAN_VALUE
  *     static const epf_f32_coeffs_t slide = EPF_F32_COEFFS(SLIDE);
  *     static const epf_params_t slide_params = {SLIDE};
  *

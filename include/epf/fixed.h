@@ -33,10 +33,11 @@
  *
  * Promise. With valid coefficients the lemmas and Theorems 1 to 4 hold in exact integer arithmetic,
  * for every sequence of inputs, the extremes of the types included (tests/theorems, tests/proof):
- *  - |z| <= z_max, and after any motion zeta <= z_ss(v);
+ *  - |z| <= z_max, and after any motion zeta <= z_ss(v) by the saturated rule, zeta <= max(zeta before,
+ *    z_ss(v)) by the mean-value rule;
  *  - in the elastic regime z moves by exactly dx 2^z_shift;
- *  - below z_ss every count makes progress, if only by one u, so steady motion reaches z_ss exactly, in
- *    finitely many steps, and stays;
+ *  - every count makes progress towards z_ss, from below and from above, if only by one u, so steady motion
+ *    reaches z_ss exactly, in finitely many steps, and stays;
  *  - before it is rounded to lsb.f the force obeys f dw > 0 and 2 f dx > 2 (W_k - W_{k-1}).
  *
  * Contexts. Three may share one estimator without locks:
@@ -98,12 +99,15 @@
  * saturates where the Stribeck effect has vanished, at the variant's limit. [7] The viscous term is
  * rounded towards zero to 256 sigma_0 u, and saturates at 32 f_max or more.
  *
- * **advance(ep, dx)** advances the state over one displacement, eqs. (12) and (13), at the velocity last
- * set, and returns z_k in u. The direction is that of dx alone. dx = 0 leaves z, for the model knows no
+ * **advance(ep, dx)** advances the state over one displacement, eqs. (12) and (13), by the update rule of
+ * the coefficients and at the velocity last set, and returns z_k in u. In case 1 the saturated rule goes to
+ * z_ss(v) at once, the mean-value rule towards it. The direction is that of dx alone. dx = 0 leaves z, for the model knows no
  * time; the next force then has no damping term, and v' = v. Displacement context.
  * Scaling and overflow: [8] dx enters the state as dx 2^z_shift u, exactly. [9] All of the range of dx is
- * allowed, the most negative number included; from 2 z_max on the state ends in z_ss(v). [10] The result
- * is within [-z_max, z_max], so that nothing wraps.
+ * allowed, the most negative number included; from 2 z_max on the state ends in z_ss(v), by either rule. Up
+ * to there a longer displacement never ends further from z_ss(v) than a shorter one: by the saturated rule
+ * exactly, by the mean-value rule to the variant's rounding. [10] The result is within [-z_max, z_max], so
+ * that nothing wraps.
  *
  * **update(ep, dx, v)** is set_velocity, then advance: a step of Algorithm 1 without the force.
  *

@@ -68,7 +68,7 @@ typedef struct {
  * Coefficients as a constant initialiser, equal to those of epf_q31_coeffs_init.
  *
  *     #define SLIDE   1e5f, 63.0f, 0.0f, 1.0f, 1.1f, 1e-5f, 8e-6f, \
- *                     EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_SATURATED
+ *                     EPF_STRIBECK_LORENTZIAN, EPF_UPDATE_MEAN_VALUE
  *     #define SIGNALS 1e-8f, 1e-7f, 1e-6f, 1e-6f   // 10 nm, 0.1 um/s, 1 uN, 1 us
  *     static const epf_q31_coeffs_t slide = EPF_Q31_COEFFS(SLIDE, SIGNALS);
  *
@@ -107,7 +107,9 @@ void epf_q31_set_velocity(epf_q31_t *ep, int32_t v);
 
 /**
  * Advances the state over a displacement, lsb.x; any. Returns z_k in u. Displacement context.
- * Within 3e-6 z_max of eqs. (12) and (13). Cost: 1 product in the elastic regime, beyond it 10.
+ * Within 3e-6 z_max of eqs. (12) and (13), and of the mean-value rule for the z_ss(v) in use. [9] A longer
+ * displacement may end further from z_ss(v) by 8 u. Cost: 1 product in the elastic regime, beyond it 10,
+ * by the mean-value rule 21.
  */
 int32_t epf_q31_advance(epf_q31_t *ep, int32_t dx);
 
