@@ -27,7 +27,7 @@ set(total 0)
 function(prove file)
     execute_process(
         COMMAND frama-c -wp -wp-rte -wp-no-volatile -wp-cache none
-            -wp-prover z3,cvc4 -wp-timeout 30 -wp-par 2 "-cpp-extra-args=-Iinclude -Isrc"
+            -wp-prover z3,cvc4 -wp-timeout 60 -wp-par 2 "-cpp-extra-args=-Iinclude -Isrc"
             ${file} ${ARGN}
         WORKING_DIRECTORY ${SOURCE_DIR}
         RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
