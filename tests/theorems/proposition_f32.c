@@ -125,7 +125,7 @@ static void ends_further_on_the_longer_it_is(const epf_f32_coeffs_t *coeffs,
                                              const epf_params_t *params, float start, float v)
 {
     enum { LENGTHS = 200 };
-    double gap_before = INFINITY;
+    double gap_before = (double)INFINITY;
     for (int i = 1; i <= LENGTHS; i++) {
         const float dx = 2.0f * coeffs->z_max * (float)i / (float)LENGTHS;
         const f32_step_t step = displaced(coeffs, params, start, v, dx);
