@@ -56,9 +56,9 @@ typedef enum {
 } epf_stribeck_t;
 
 /**
- * How the state advances over one displacement. Take EPF_UPDATE_MEAN_VALUE, which comes as close to the
- * continuous model as any rule can, unless you want the published algorithm; give either the mean
- * velocity of the displacement, dx/dt, not the velocity at its end. The theorems hold for both. Where one
+ * How the state advances over one displacement. Take EPF_UPDATE_MEAN_VALUE, which follows the continuous
+ * model as closely as the exact solution at constant velocity does, unless you want the published algorithm;
+ * give either the mean velocity of the displacement, dx/dt, not the velocity at its end. The theorems hold for both. Where one
  * rule is enough, define EPF_UPDATE_ONLY to it, as EPF_STRIBECK_ONLY to a form.
  */
 typedef enum {
