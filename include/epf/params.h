@@ -57,9 +57,10 @@ typedef enum {
 
 /**
  * How the state advances over one displacement. Take EPF_UPDATE_MEAN_VALUE, which follows the continuous
- * model as closely as the exact solution at constant velocity does, unless you want the published algorithm;
- * give either the mean velocity of the displacement, dx/dt, not the velocity at its end. The theorems hold for both. Where one
- * rule is enough, define EPF_UPDATE_ONLY to it, as EPF_STRIBECK_ONLY to a form.
+ * model as closely as the exact solution at constant velocity does, unless you want the published
+ * algorithm. Give either the mean velocity of the displacement, dx/dt, not the velocity at its end. The
+ * theorems hold for both. Where one rule is enough, define EPF_UPDATE_ONLY to it, as EPF_STRIBECK_ONLY to
+ * a form.
  */
 typedef enum {
     EPF_UPDATE_SATURATED = 0, /**< Algorithm 1 of the paper, eqs. (12) and (13) */
