@@ -5,12 +5,33 @@
 
 #include <stdlib.h>
 
-bool output_spares(const char *written, const char *other)
+static bool spares(const char *written, const char *other)
 {
     return written == NULL || other == NULL || !system_same_file(written, other) ||
            problem("command line: expected a file of its own for each purpose, found one twice: "
                    "\"%.200s\", \"%.200s\"",
                    written, other);
+}
+
+static bool spares_all(const char *written, const char *const others[], size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!spares(written, others[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool output_check(const char *const outputs[], size_t n_outputs, const char *const inputs[],
+                  size_t n_inputs)
+{
+    for (size_t i = 0; i < n_outputs; i++) {
+        if (!spares_all(outputs[i], outputs, i) || !spares_all(outputs[i], inputs, n_inputs)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static bool cannot_write(const char *name)

@@ -7,6 +7,7 @@
 #include "system.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 
 typedef struct {
@@ -17,9 +18,10 @@ typedef struct {
     char temporary[SYSTEM_NAME_MAX + 1];
 } output_t;
 
-/* To be asked before anything is written: does it leave the other file as it is? Either may be NULL, for
-   none. False, and the problem reported, if it does not. */
-bool output_spares(const char *written, const char *other);
+/* To be asked before anything is written: is every output a file of its own, neither an input nor another
+   output? NULL stands for none. False, and the problem reported, if not. */
+bool output_check(const char *const outputs[], size_t n_outputs, const char *const inputs[],
+                  size_t n_inputs);
 
 /* False, and the problem reported, if the file cannot be written. The name must outlive it. */
 bool output_open(output_t *output, const char *name);

@@ -82,7 +82,7 @@ static bool set_choice(parameters_t *set, const char *place, int parameter, cons
             return true;
         }
     }
-    return problem("%s: %s: expected %s, " FOUND, place, name_of(parameter),
+    return problem("%s%s: expected %s, " FOUND, place, name_of(parameter),
                    choices[parameter].expected, value);
 }
 
@@ -90,8 +90,7 @@ static bool set_number(parameters_t *set, const char *place, int parameter, cons
 {
     double parsed;
     if (!text_number(value, &parsed) || parsed > (double)FLT_MAX || parsed < (double)-FLT_MAX) {
-        return problem("%s: %s: expected a finite number, " FOUND, place, name_of(parameter),
-                       value);
+        return problem("%s%s: expected a finite number, " FOUND, place, name_of(parameter), value);
     }
     give(set, parameter, (float)parsed);
     return true;
@@ -101,10 +100,10 @@ bool parameters_set(parameters_t *set, const char *place, const char *name, cons
 {
     const int parameter = find(name);
     if (parameter == PARAMETERS) {
-        return problem("%s: expected a parameter (such as f_c, see --help), " FOUND, place, name);
+        return problem("%sexpected a parameter (such as f_c, see --help), " FOUND, place, name);
     }
     if (is_given(set, parameter)) {
-        return problem("%s: %s: expected once, found again", place, name);
+        return problem("%s%s: expected once, found again", place, name);
     }
     return choices[parameter].words != 0 ? set_choice(set, place, parameter, value)
                                          : set_number(set, place, parameter, value);
@@ -125,8 +124,9 @@ static bool require(const parameters_t *set, int parameter)
 {
     const char *name = name_of(parameter);
     return is_given(set, parameter) ||
-           problem("%s is not given: expected --%s VALUE, or a line %s = VALUE in --params FILE",
-                   name, name, name);
+           problem(
+               "command line: --%s: expected, or a line %s = VALUE in --params FILE, found neither",
+               name, name);
 }
 
 bool parameters_complete(parameters_t *set)

@@ -34,7 +34,8 @@ typedef struct {
 extern const option_t parameters_options[PARAMETERS];
 
 /* Sets one parameter from text. False, and the problem reported as at `place`, if the name is not
-   known, has been set already, or the value will not do. */
+   known, has been set already, or the value will not do. The name follows the place as it stands: the
+   place is "file:line: ", or "command line: --". */
 bool parameters_set(parameters_t *set, const char *place, const char *name, const char *value);
 
 /* Reads lines `name = value`, `#` begins a comment. False, and the problem reported, if anything is wrong

@@ -10,7 +10,7 @@
 static bool read_line(parameters_t *from_file, text_t *text)
 {
     char place[1200];
-    (void)snprintf(place, sizeof place, "%.1000s:%lu", text->name, text->number);
+    (void)snprintf(place, sizeof place, "%.1000s:%lu: ", text->name, text->number);
 
     text->line[strcspn(text->line, "#")] = '\0';
     char *const line = text_trim(text->line);
@@ -19,7 +19,7 @@ static bool read_line(parameters_t *from_file, text_t *text)
     }
     char *const equals = strchr(line, '=');
     if (equals == NULL) {
-        return problem("%s: expected name = value, " FOUND, place, line);
+        return problem("%sexpected name = value, " FOUND, place, line);
     }
     *equals = '\0';
     return parameters_set(from_file, place, text_trim(line), text_trim(equals + 1));

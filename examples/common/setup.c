@@ -34,7 +34,7 @@ static bool read_parameters(setup_t *setup)
     bool good = true;
     for (int i = 0; good && i < PARAMETERS; i++) {
         if (setup->parameter_values[i] != NULL) {
-            good = parameters_set(&setup->parameters, "command line",
+            good = parameters_set(&setup->parameters, "command line: --",
                                   parameters_options[i].name + strlen("--"),
                                   setup->parameter_values[i]);
         }

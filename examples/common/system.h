@@ -35,7 +35,10 @@ void system_keep(void);
 
 bool system_stderr_is_terminal(void);
 
-/* Runs `gnuplot -c` with these three arguments, in silence. True if it was content. */
-bool system_gnuplot(const char *script, const char *data, const char *picture);
+typedef enum { GNUPLOT_SUCCEEDED, GNUPLOT_FAILED, GNUPLOT_NOT_RUN } gnuplot_status_t;
+
+/* Runs `gnuplot -c` with these three arguments, in silence. GNUPLOT_NOT_RUN if there is no gnuplot, or the
+   names cannot be handed to it. An interrupt ends it, too. */
+gnuplot_status_t system_gnuplot(const char *script, const char *data, const char *picture);
 
 #endif

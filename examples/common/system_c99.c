@@ -59,16 +59,29 @@ static const char silently[] = ">NUL 2>&1";
 static const char silently[] = ">/dev/null 2>&1";
 #endif
 
+static bool run(const char *command)
+{
+    (void)fflush(NULL);          /* what is in our buffers comes before what the command does */
+    return system(command) == 0; /* NOLINT(cert-env33-c): every word of it is plain */
+}
+
+static bool has_gnuplot(void)
+{
+    char command[64];
+    (void)snprintf(command, sizeof command, "gnuplot --version %s", silently);
+    return run(command);
+}
+
 /* Through a shell, so only with names that it cannot misunderstand */
-bool system_gnuplot(const char *script, const char *data, const char *picture)
+gnuplot_status_t system_gnuplot(const char *script, const char *data, const char *picture)
 {
     char command[4096];
     const int length = snprintf(command, sizeof command, "gnuplot -c %s %s %s %s", script, data,
                                 picture, silently);
     const bool fits = length > 0 && (size_t)length < sizeof command;
-    if (!fits || !text_is_plain(script) || !text_is_plain(data) || !text_is_plain(picture)) {
-        return false;
+    if (!fits || !text_is_plain(script) || !text_is_plain(data) || !text_is_plain(picture) ||
+        !has_gnuplot()) {
+        return GNUPLOT_NOT_RUN;
     }
-    (void)fflush(NULL);          /* what is in our buffers comes before what the command does */
-    return system(command) == 0; /* NOLINT(cert-env33-c): every word of it is plain */
+    return run(command) ? GNUPLOT_SUCCEEDED : GNUPLOT_FAILED;
 }

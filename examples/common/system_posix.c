@@ -130,9 +130,16 @@ enum { INTERRUPTS = sizeof interrupts / sizeof interrupts[0] };
 static char unfinished[SYSTEM_NAME_MAX + 1];
 static volatile sig_atomic_t is_unfinished;
 
+/* What an interrupt ends first, so that it does not make that file again; 0: nothing */
+static volatile pid_t drawing;
+
 /* The signal's own action is in force again: raised once more, it ends the program when we return */
 static void clean_up(int interrupt)
 {
+    if (drawing > 0) {
+        (void)kill(drawing, SIGKILL);
+        (void)waitpid(drawing, NULL, 0);
+    }
     if (is_unfinished) {
         (void)unlink(unfinished);
     }
@@ -185,23 +192,51 @@ bool system_stderr_is_terminal(void)
 
 /* ---- gnuplot -------------------------------------------------------------------------------- */
 
+enum { NO_SUCH_PROGRAM = 127 };
+
 static void become_gnuplot(const char *script, const char *data, const char *picture)
 {
     const int nowhere = open("/dev/null", O_WRONLY);
     (void)dup2(nowhere, STDOUT_FILENO);
     (void)dup2(nowhere, STDERR_FILENO);
     (void)execlp("gnuplot", "gnuplot", "-c", script, data, picture, (char *)NULL);
-    _exit(127); /* only if there is none */
+    _exit(NO_SUCH_PROGRAM);
 }
 
-bool system_gnuplot(const char *script, const char *data, const char *picture)
+/* No interrupt comes between the start of gnuplot and the note of it */
+static pid_t start_gnuplot(const char *script, const char *data, const char *picture)
 {
-    int status;
+    sigset_t all;
+    sigset_t before;
     (void)fflush(NULL); /* the child must not have what we have yet to print */
+    catch_interrupts(&all);
+    (void)sigprocmask(SIG_BLOCK, &all, &before);
     const pid_t child = fork();
+    if (child != 0) {
+        drawing = child;
+    }
+    (void)sigprocmask(SIG_SETMASK, &before, NULL);
     if (child == 0) {
         become_gnuplot(script, data, picture);
     }
-    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) &&
-           WEXITSTATUS(status) == 0;
+    return child;
+}
+
+gnuplot_status_t system_gnuplot(const char *script, const char *data, const char *picture)
+{
+    int status = 0;
+    const pid_t child = start_gnuplot(script, data, picture);
+    const bool ended = child > 0 && waitpid(child, &status, 0) == child;
+    drawing = 0;
+    if (!ended || !WIFEXITED(status)) {
+        return GNUPLOT_FAILED;
+    }
+    switch (WEXITSTATUS(status)) {
+    case 0:
+        return GNUPLOT_SUCCEEDED;
+    case NO_SUCH_PROGRAM:
+        return GNUPLOT_NOT_RUN;
+    default:
+        return GNUPLOT_FAILED;
+    }
 }

@@ -4,12 +4,10 @@
 #include "csv_cell.h"
 #include "text.h"
 
-#include <stdbool.h>
-#include <stddef.h>
 #include <string.h>
 
-/* The columns that are read; rows are kept whose first ones are as wanted */
-enum { VARIANT, FUNCTION, RULE, METRIC, KEYS, CYCLES = KEYS, COLUMNS };
+/* The columns that are read */
+enum { VARIANT, FUNCTION, RULE, METRIC, CYCLES, COLUMNS };
 
 typedef struct {
     const char *cell[COLUMNS]; /* NULL: there is none */
@@ -56,14 +54,28 @@ static row_t row_of(char *line, const layout_t *layout)
     return row;
 }
 
-static bool is_wanted(const row_t *row, const char *const wanted[KEYS])
+static bool is_in(const layout_t *layout, int column)
 {
-    for (int i = 0; i < KEYS; i++) {
-        if (row->cell[i] == NULL || strcmp(row->cell[i], wanted[i]) != 0) {
-            return false;
+    for (int i = 0; i < CELLS_MAX; i++) {
+        if (layout->column[i] == column) {
+            return true;
         }
     }
-    return true;
+    return false;
+}
+
+static bool has_all_columns(const layout_t *layout)
+{
+    bool all = true;
+    for (int column = 0; column < COLUMNS; column++) {
+        all = all && is_in(layout, column);
+    }
+    return all;
+}
+
+static bool is(const row_t *row, int column, const char *wanted)
+{
+    return row->cell[column] != NULL && wanted != NULL && strcmp(row->cell[column], wanted) == 0;
 }
 
 static unsigned long cycles_of(const row_t *row)
@@ -74,23 +86,45 @@ static unsigned long cycles_of(const row_t *row)
                : 0;
 }
 
-unsigned long step_cycles(const char *file, const char *variant, const char *rule)
+static void note(step_cost_t costs[], size_t count, const row_t *row)
 {
-    const char *const wanted[KEYS] = {
-        [VARIANT] = variant, [FUNCTION] = "step", [RULE] = rule, [METRIC] = "cost"};
-    unsigned long worst = 0;
-    text_t text;
-    if (!text_open(&text, file)) {
-        return 0;
+    if (!is(row, FUNCTION, "step") || !is(row, METRIC, "cost")) {
+        return;
     }
-    if (text_next(&text) == TEXT_LINE) {
-        const layout_t layout = layout_of(text.line);
-        while (text_next(&text) == TEXT_LINE) {
-            const row_t row = row_of(text.line, &layout);
-            const unsigned long cycles = is_wanted(&row, wanted) ? cycles_of(&row) : 0;
-            worst = cycles > worst ? cycles : worst;
+    const unsigned long cycles = cycles_of(row);
+    for (size_t i = 0; i < count; i++) {
+        if (is(row, VARIANT, costs[i].variant) && is(row, RULE, costs[i].rule) &&
+            cycles > costs[i].cycles) {
+            costs[i].cycles = cycles;
         }
     }
+}
+
+static bool read_rows(step_cost_t costs[], size_t count, text_t *text)
+{
+    text_status_t status = text_next(text);
+    if (status == TEXT_FAILED) {
+        return false;
+    }
+    const layout_t layout = layout_of(text->line);
+    if (!has_all_columns(&layout)) {
+        return text_problem(text, "expected the columns variant, function, rule, metric and "
+                                  "cortex-m4f");
+    }
+    while ((status = text_next(text)) == TEXT_LINE) {
+        const row_t row = row_of(text->line, &layout);
+        note(costs, count, &row);
+    }
+    return status == TEXT_END;
+}
+
+bool step_costs_read(step_cost_t costs[], size_t count, const char *file)
+{
+    text_t text;
+    if (!text_open(&text, file)) {
+        return false;
+    }
+    const bool good = read_rows(costs, count, &text);
     text_close(&text);
-    return worst;
+    return good;
 }

@@ -3,8 +3,15 @@
 #ifndef FIDELITY_COSTS_H
 #define FIDELITY_COSTS_H
 
-/* The most of all paths through `step` of a variant by a rule, both as tests/bench names them; 0 if the
-   file does not have it. If there is no such file, that is reported. */
-unsigned long step_cycles(const char *file, const char *variant, const char *rule);
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct {
+    const char *variant, *rule; /* as tests/bench names them; NULL: not measured */
+    unsigned long cycles;       /* the most of all paths; 0: the baseline has none */
+} step_cost_t;
+
+/* Reads the cycles of all of them, at once. False, and the problem reported, if the file is no such baseline. */
+bool step_costs_read(step_cost_t costs[], size_t count, const char *file);
 
 #endif

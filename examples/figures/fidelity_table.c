@@ -7,6 +7,18 @@
 #include <stddef.h>
 #include <stdio.h>
 
+/* 0 cycles where the benchmark does not measure */
+static step_cost_t costs[MODELS];
+
+bool fidelity_table_prepare(void)
+{
+    for (int i = 0; i < MODELS; i++) {
+        const measured_t measured = model_measured((model_t)i);
+        costs[i] = (step_cost_t){measured.variant, measured.rule, 0};
+    }
+    return step_costs_read(costs, MODELS, EPF_BENCH_BASELINE);
+}
+
 static void print_header(int motion, int first, int end)
 {
     (void)printf("| %s | cycles |", fidelity_motion_name(motion));
@@ -20,15 +32,10 @@ static void print_header(int motion, int first, int end)
     (void)putchar('\n');
 }
 
-/* Of what the benchmark measures */
 static void print_cycles(model_t model)
 {
-    const measured_t measured = model_measured(model);
-    const unsigned long cycles =
-        measured.variant != NULL ? step_cycles(EPF_BENCH_BASELINE, measured.variant, measured.rule)
-                                 : 0;
-    if (cycles > 0) {
-        (void)printf(" %lu |", cycles);
+    if (costs[model].cycles > 0) {
+        (void)printf(" %lu |", costs[model].cycles);
     } else {
         (void)printf("  |");
     }

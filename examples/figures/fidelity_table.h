@@ -5,6 +5,12 @@
 
 #include "fidelity_run.h"
 
+#include <stdbool.h>
+
+/* Reads from the benchmark what the steps cost, to be printed too. False, and the problem reported, if that
+   cannot be read. */
+bool fidelity_table_prepare(void);
+
 void fidelity_print(const fidelity_t *fidelity, int motion);
 
 #endif

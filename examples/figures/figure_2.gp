@@ -3,7 +3,7 @@
 height = 450
 data = ARG1
 picture = ARG2
-load ARG0[1:strlen(ARG0)-11].'style.gp'
+load ARG0[1:strlen(ARG0)-strlen('figure_2.gp')].'style.gp'
 
 set xlabel 'velocity / v_s'
 set ylabel 'steady-state friction f_{ss} (N)'

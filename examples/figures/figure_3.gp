@@ -3,7 +3,7 @@
 height = 560
 data = ARG1
 picture = ARG2
-load ARG0[1:strlen(ARG0)-11].'style.gp'
+load ARG0[1:strlen(ARG0)-strlen('figure_3.gp')].'style.gp'
 
 set xrange [-1:8]
 set multiplot layout 2,1 margins 0.09, 0.97, 0.10, 0.96 spacing 0, 0.12

@@ -3,7 +3,7 @@
 height = 450
 data = ARG1
 picture = ARG2
-load ARG0[1:strlen(ARG0)-11].'style.gp'
+load ARG0[1:strlen(ARG0)-strlen('figure_5.gp')].'style.gp'
 
 set xlabel 'deflection z (µm)'
 set ylabel 'plastic share α(z, v)'

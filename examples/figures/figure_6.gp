@@ -3,7 +3,7 @@
 height = 800
 data = ARG1
 picture = ARG2
-load ARG0[1:strlen(ARG0)-11].'style.gp'
+load ARG0[1:strlen(ARG0)-strlen('figure_6.gp')].'style.gp'
 
 set xrange [0:1.2]
 set multiplot layout 4,1 margins 0.09, 0.97, 0.07, 0.98 spacing 0, 0.045

@@ -3,7 +3,7 @@
 height = 620
 data = ARG1
 picture = ARG2
-load ARG0[1:strlen(ARG0)-11].'style.gp'
+load ARG0[1:strlen(ARG0)-strlen('figure_7.gp')].'style.gp'
 
 begins = '0.20 0.65 0.98'
 ends = '0.34 0.81 1.10'

@@ -3,7 +3,7 @@
 height = 700
 data = ARG1
 picture = ARG2
-load ARG0[1:strlen(ARG0)-11].'style.gp'
+load ARG0[1:strlen(ARG0)-strlen('figure_8.gp')].'style.gp'
 
 set xrange [0:1.2]
 set yrange [-17:17]

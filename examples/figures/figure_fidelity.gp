@@ -3,7 +3,7 @@
 height = 505
 data = ARG1
 picture = ARG2
-load ARG0[1:strlen(ARG0)-18].'style.gp'
+load ARG0[1:strlen(ARG0)-strlen('figure_fidelity.gp')].'style.gp'
 
 models = '"exact flow" "mean value q15" "mean value f32" "saturated f32" "elasto-plastic by Euler" \
           "LuGre by Euler" "Algorithm 1 as printed"'

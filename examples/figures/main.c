@@ -2,6 +2,7 @@
 /* epf_figures: makes the figures of the paper and checks what it claims about them. See README.md. */
 #include "claims.h"
 #include "command_line.h"
+#include "fidelity_table.h"
 #include "figure.h"
 #include "output.h"
 #include "picture.h"
@@ -13,9 +14,12 @@
 static const struct {
     const char *number; /* in the paper; or a name */
     figure_t *make;
+    bool (*prepare)(void); /* reads what it needs; NULL: nothing */
 } figures[] = {
-    {"2", figure_2}, {"3", figure_3}, {"4", figure_4}, {"5", figure_5},
-    {"6", figure_6}, {"7", figure_7}, {"8", figure_8}, {"fidelity", figure_fidelity},
+    {"2", figure_2, NULL}, {"3", figure_3, NULL},
+    {"4", figure_4, NULL}, {"5", figure_5, NULL},
+    {"6", figure_6, NULL}, {"7", figure_7, NULL},
+    {"8", figure_8, NULL}, {"fidelity", figure_fidelity, fidelity_table_prepare},
 };
 enum { FIGURES = sizeof figures / sizeof figures[0] };
 
@@ -36,6 +40,14 @@ static const option_t table[OPTIONS] = {
     [NO_PICTURES] = {"--no-pictures", NULL, "make the CSV files only"},
 };
 
+/* ---- files ------------------------------------------------------------------------------------ */
+
+typedef struct {
+    char data[SYSTEM_NAME_MAX + 1];
+    char script[SYSTEM_NAME_MAX + 1];
+    picture_t picture;
+} files_t;
+
 /* DIR/figure_N.ending. False, and the problem reported, if it is too long. */
 static bool name_file(char name[SYSTEM_NAME_MAX + 1], const char *folder, const char *number,
                       const char *ending)
@@ -46,46 +58,97 @@ static bool name_file(char name[SYSTEM_NAME_MAX + 1], const char *folder, const 
            problem("command line: --out: expected a shorter name, " FOUND, folder);
 }
 
-static bool make(int i, const char *values[OPTIONS], claims_t *claims)
+static bool is_asked_for(int i, const char *values[OPTIONS])
 {
-    const char *number = figures[i].number;
+    return values[FIGURE] == NULL || strcmp(values[FIGURE], figures[i].number) == 0;
+}
+
+static bool name_files(files_t *files, int i, const char *values[OPTIONS])
+{
     const char *folder = values[OUT] != NULL ? values[OUT] : ".";
-    char data[SYSTEM_NAME_MAX + 1];
-    char picture[SYSTEM_NAME_MAX + 1];
-    char script[SYSTEM_NAME_MAX + 1];
-    output_t csv;
-    if (!name_file(data, folder, number, "csv") || !name_file(picture, folder, number, "png") ||
-        !name_file(script, EPF_FIGURES_DIR, number, "gp") || !output_open(&csv, data)) {
-        return false;
+    const char *number = figures[i].number;
+    const bool is_drawn = is_asked_for(i, values) && values[NO_PICTURES] == NULL;
+    return name_file(files->data, folder, number, "csv") &&
+           name_file(files->script, EPF_FIGURES_DIR, number, "gp") &&
+           (!is_drawn || picture_choose(&files->picture, files->script, files->data, NULL));
+}
+
+/* No file that is read is written over, nor one figure by another */
+static bool check_files(const files_t files[FIGURES], const char *values[OPTIONS])
+{
+    const char *outputs[2 * FIGURES];
+    const char *inputs[FIGURES + 2] = {EPF_FIGURES_DIR "/style.gp", EPF_BENCH_BASELINE};
+    size_t n_outputs = 0;
+    for (int i = 0; i < FIGURES; i++) {
+        inputs[2 + i] = files[i].script;
+        if (is_asked_for(i, values)) {
+            outputs[n_outputs++] = files[i].data;
+            outputs[n_outputs++] = picture_name(&files[i].picture);
+        }
     }
-    claims->figure = number;
-    figures[i].make(csv.file, claims);
-    if (!output_commit(&csv)) {
-        return false;
+    return output_check(outputs, n_outputs, inputs, FIGURES + 2);
+}
+
+/* False, and the problem reported, if a file cannot be where it belongs */
+static bool choose_files(files_t files[FIGURES], const char *values[OPTIONS])
+{
+    for (int i = 0; i < FIGURES; i++) {
+        if (!name_files(&files[i], i, values)) {
+            return false;
+        }
     }
-    if (values[NO_PICTURES] == NULL) {
-        picture_make(script, data, picture);
+    return check_files(files, values);
+}
+
+/* ---- figures ---------------------------------------------------------------------------------- */
+
+/* False, and the problem reported, before anything is made: a long run does not end in it */
+static bool prepare(const char *values[OPTIONS])
+{
+    for (int i = 0; i < FIGURES; i++) {
+        if (is_asked_for(i, values) && figures[i].prepare != NULL && !figures[i].prepare()) {
+            return false;
+        }
     }
     return true;
+}
+
+static bool make(int i, const files_t *files, claims_t *claims)
+{
+    output_t csv;
+    if (!output_open(&csv, files->data)) {
+        return false;
+    }
+    claims->figure = figures[i].number;
+    figures[i].make(csv.file, claims);
+    return output_commit(&csv) && picture_make(&files->picture);
+}
+
+static bool is_figure(const char *values[OPTIONS])
+{
+    for (int i = 0; i < FIGURES; i++) {
+        if (is_asked_for(i, values)) {
+            return true;
+        }
+    }
+    return problem("command line: --figure: expected 2 to 8 or fidelity, " FOUND, values[FIGURE]);
 }
 
 /* The exit status */
 static int make_figures(const char *values[OPTIONS])
 {
+    static files_t files[FIGURES]; /* too large for some stacks */
     claims_t claims = {NULL, 0, 0};
-    int made = 0;
-    for (int i = 0; i < FIGURES; i++) {
-        if (values[FIGURE] == NULL || strcmp(values[FIGURE], figures[i].number) == 0) {
-            if (!make(i, values, &claims)) {
-                return EXIT_DATA;
-            }
-            made++;
-        }
-    }
-    if (made == 0) {
-        (void)problem("command line: --figure: expected 2 to 8 or fidelity, " FOUND,
-                      values[FIGURE]);
+    if (!is_figure(values) || !choose_files(files, values)) {
         return EXIT_USAGE;
+    }
+    if (!prepare(values)) {
+        return EXIT_DATA;
+    }
+    for (int i = 0; i < FIGURES; i++) {
+        if (is_asked_for(i, values) && !make(i, &files[i], &claims)) {
+            return EXIT_DATA;
+        }
     }
     return claims_hold(&claims) ? EXIT_SUCCESS : EXIT_DATA;
 }

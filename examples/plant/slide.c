@@ -114,6 +114,11 @@ static void note_distance(run_t *run)
     run->apart.z = fmax(run->apart.z, fabs(run->fine.z - run->coarse.z));
 }
 
+void run_rejoin(run_t *run)
+{
+    run->coarse = run->fine;
+}
+
 void run_advance(run_t *run, long steps)
 {
     const double fine_rate = 2.0 * run->rate;

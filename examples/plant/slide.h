@@ -47,4 +47,11 @@ double run_time(const run_t *run);
 
 void run_advance(run_t *run, long steps);
 
+/*
+ * The coarse motion starts again from the fine one, so that `apart` is the largest error of one advance, not of
+ * the whole run. A controller calls it before each advance: a command computed from the fine motion closes no loop
+ * around the coarse one, which would run away.
+ */
+void run_rejoin(run_t *run);
+
 #endif

@@ -2,7 +2,6 @@
 /* epf_replay: runs the friction estimator over a recorded motion. See README.md. */
 #include "options.h"
 #include "output.h"
-#include "picture.h"
 #include "problem.h"
 #include "progress.h"
 #include "replay.h"
@@ -64,19 +63,17 @@ static void show(const replay_t *replay, const options_t *options)
     }
     report_summary(replay);
     (void)printf("written           %s\n", options->out);
-    if (options->picture != NULL) {
-        picture_make(options_script, options->out, options->picture);
-    }
 }
 
 static int replay_and_show(const options_t *options)
 {
     replay_t replay;
     const int result = replay_record(&replay, options);
-    if (result == EXIT_SUCCESS) {
-        show(&replay, options);
+    if (result != EXIT_SUCCESS) {
+        return result;
     }
-    return result;
+    show(&replay, options);
+    return picture_make(&options->picture) ? EXIT_SUCCESS : EXIT_DATA;
 }
 
 int main(int argc, char **argv)

@@ -2,13 +2,9 @@
 #include "options.h"
 
 #include "output.h"
-#include "picture.h"
 #include "problem.h"
-#include "system.h"
 
 #include <stdlib.h>
-
-const char options_script[] = EPF_REPLAY_DIR "/plot.gp";
 
 static const char usage[] =
     "usage: epf_replay [RECORD.csv] [options]\n"
@@ -33,35 +29,23 @@ static void choose_record(options_t *options, const char *record)
     options->record = options->is_example ? EPF_REPLAY_DIR "/example.csv" : record;
 }
 
-/* A stream can be written, but not read again to be drawn */
-static bool choose_picture(options_t *options, const char *picture, bool none)
+static bool choose_picture(options_t *options, const char *name, bool none)
 {
-    const bool is_stream = system_is_stream(options->out);
-    if (picture != NULL && none) {
+    if (name != NULL && none) {
         return problem("command line: expected --picture or --no-picture, found both");
     }
-    if (picture != NULL && is_stream) {
-        return problem("command line: --picture: expected a result that can be read again, " FOUND,
-                       options->out);
-    }
-    if (picture == NULL && !none && !is_stream) {
-        (void)picture_name(options->picture_name, sizeof options->picture_name, options->out);
-        picture = options->picture_name;
-    }
-    options->picture = picture;
-    return true;
+    options->picture = (picture_t){.name = ""};
+    return none || picture_choose(&options->picture, EPF_REPLAY_DIR "/plot.gp", options->out, name);
 }
 
 /* No file that is in use is written over, nor the result by its picture */
 static bool check_outputs(const options_t *options)
 {
-    const char *const script = options->picture == NULL ? NULL : options_script;
-    const char *const inputs[] = {options->record, options->setup.params_file, script};
-    bool good = output_spares(options->out, options->picture);
-    for (size_t i = 0; good && i < sizeof inputs / sizeof inputs[0]; i++) {
-        good = output_spares(options->out, inputs[i]) && output_spares(options->picture, inputs[i]);
-    }
-    return good;
+    const char *const outputs[] = {options->out, picture_name(&options->picture)};
+    const char *const inputs[] = {options->record, options->setup.params_file,
+                                  options->picture.script};
+    return output_check(outputs, sizeof outputs / sizeof outputs[0], inputs,
+                        sizeof inputs / sizeof inputs[0]);
 }
 
 int options_read(options_t *options, int argc, char **argv)

@@ -3,6 +3,7 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
+#include "picture.h"
 #include "setup.h"
 
 #include <stdbool.h>
@@ -12,14 +13,10 @@ typedef struct {
     const char *record;       /* the motion to replay */
     const char *force_column; /* NULL: the usual ones */
     const char *out;
-    const char *picture; /* NULL: none */
-    bool is_example;     /* no record was named: the one in the repository is replayed */
-    bool is_help;        /* the help has been printed: there is no more to do */
-    char picture_name[OPTION_LENGTH_MAX + sizeof ".png"];
+    picture_t picture;
+    bool is_example; /* no record was named: the one in the repository is replayed */
+    bool is_help;    /* the help has been printed: there is no more to do */
 } options_t;
-
-/* The file that tells gnuplot how to draw */
-extern const char options_script[];
 
 /* Returns an exit status; unless it is EXIT_SUCCESS, the problem is reported */
 int options_read(options_t *options, int argc, char **argv);

@@ -53,6 +53,9 @@ static const slide_t slide = {
 /* The instruments */
 static const double encoder_step = 10e-9;  /* m */
 static const double load_cell_step = 1e-4; /* N */
+
+/* How far half the step of integration may move a position, m */
+static const double accuracy = 3e-12;
 enum { ROWS_PER_SECOND = 1000, STEPS_PER_ROW = 50 };
 
 static void write_row(FILE *file, encoder_t *encoder, const run_t *run)
@@ -92,7 +95,7 @@ static int write_record(const char *name)
         return EXIT_DATA;
     }
     const double apart = simulate(output.file);
-    if (apart > encoder_step / 100.0) {
+    if (apart > accuracy) {
         output_discard(&output);
         (void)problem("half the step moves the position by %.1e m", apart);
         return EXIT_FAILURE;

@@ -56,3 +56,39 @@ example_test(figures_refuse_a_number PROGRAM epf_figures STATUS 2
     STDERR "^epf_figures: command line: --figure: expected .*, found \"9\"" ARGS --figure 9)
 example_test(figures_refuse_no_folder PROGRAM epf_figures STATUS 1
     STDERR "^epf_figures: none/figure_2.csv: cannot write" ARGS --figure 2 --out none)
+
+# ---- files that are in use, streams, full disks, interrupts -----------------------------------------
+
+if(UNIX)
+    # A link that stands where a file of figure 5 goes leads to a file that is read, or is written, too
+    function(figures_spare name link to)
+        example_test(figures_spare_${name} PROGRAM epf_figures STATUS 2 LINK ${link} TO "${to}"
+            STDERR "^epf_figures: command line: expected a file of its own for each purpose, found one twice"
+            ARGS --figure 5 ${ARGN})
+    endfunction()
+    figures_spare(their_script figure_5.csv "${figures}/figure_5.gp" --no-pictures)
+    figures_spare(the_script_of_another figure_5.csv "${figures}/figure_2.gp" --no-pictures)
+    figures_spare(their_style figure_5.csv "${figures}/style.gp" --no-pictures)
+    figures_spare(the_baseline figure_5.csv "${PROJECT_SOURCE_DIR}/tests/bench/baseline.csv" --no-pictures)
+    figures_spare(their_data figure_5.png figure_5.csv)
+    example_test(figures_spare_each_other PROGRAM epf_figures STATUS 2 LINK figure_7.csv TO figure_2.csv
+        STDERR "^epf_figures: command line: expected a file of its own for each purpose, found one twice"
+        ARGS --no-pictures)
+
+    foreach(signal SIGHUP:1 SIGINT:2 SIGTERM:15)
+        string(REGEX MATCH "(.*):(.*)" signal ${signal})
+        math(EXPR status "128 + ${CMAKE_MATCH_2}")
+        example_test(figures_leave_nothing_behind_after_${CMAKE_MATCH_1}
+            PROGRAM interrupt STATUS ${status} ARGS ${CMAKE_MATCH_2} default alone *.tmp
+            "$<TARGET_FILE:epf_figures>" --figure fidelity --no-pictures)
+    endforeach()
+endif()
+if(EXISTS /dev/full)
+    example_test(figures_refuse_picture_to_stream PROGRAM epf_figures STATUS 2
+        LINK figure_5.png TO /dev/full
+        STDERR "^epf_figures: command line: expected an ordinary file for the picture, found .*figure_5.png"
+        ARGS --figure 5)
+endif()
+foreach(case IN LISTS picture_cases)
+    picture_test(figures ${case} epf_figures figure_5.csv figure_5.png --figure 5)
+endforeach()

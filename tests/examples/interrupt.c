@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Interrupts a program in the middle of its work: interrupt SIGNAL default|ignored PROGRAM ARGUMENT...
+ * Interrupts a program in the middle of its work:
  *
- * The program reads record.csv, which is a FIFO: it gets two rows, and then nothing. As soon as it has
- * made a temporary file, *.tmp, it gets the signal of that number, which it was told to ignore or not;
- * then its record ends. Ends as a shell would: with the exit status of the program, or 128 + the signal
+ *     interrupt SIGNAL default|ignored fed|alone FILE PROGRAM ARGUMENT...
+ *
+ * As soon as there is a FILE, which may be a pattern, the program gets the signal of that number, which it was
+ * told to ignore or not. If it is to be fed, it reads record.csv, which is a FIFO: it gets two rows, then nothing,
+ * and after the signal the end. Ends as a shell would: with the exit status of the program, or 128 + the signal
  * that ended it; with 99 if nothing was interrupted.
  */
 #define _POSIX_C_SOURCE 200809L
@@ -36,12 +38,12 @@ static pid_t start(char **command, int interrupt, bool ignored)
     return child;
 }
 
-static bool wait_for_temporary(void)
+static bool wait_for(const char *file)
 {
     static const struct timespec pause = {.tv_nsec = 10000000}; /* for ten seconds */
     glob_t found;
     for (int i = 0; i < 1000; i++) {
-        if (glob("*.tmp", 0, NULL, &found) == 0) {
+        if (glob(file, 0, NULL, &found) == 0) {
             globfree(&found);
             return true;
         }
@@ -50,23 +52,29 @@ static bool wait_for_temporary(void)
     return false;
 }
 
+/* The end of the FIFO that keeps the program waiting; -1 if that does not work */
+static int feed_program(void)
+{
+    const int feed = open(record, O_WRONLY);
+    return write(feed, rows, sizeof rows - 1) == (ssize_t)sizeof rows - 1 ? feed : -1;
+}
+
 int main(int argc, char **argv)
 {
     int status;
-    if (argc < 4 || mkfifo(record, 0600) != 0) {
+    const bool is_fed = argc > 5 && strcmp(argv[3], "fed") == 0;
+    if (argc < 6 || (is_fed && mkfifo(record, 0600) != 0)) {
         return NOT_INTERRUPTED;
     }
     const int interrupt = (int)strtol(argv[1], NULL, 10);
-    const pid_t child = start(argv + 3, interrupt, strcmp(argv[2], "ignored") == 0);
-    const int feed = open(record, O_WRONLY);
-    const bool fed = write(feed, rows, sizeof rows - 1) == (ssize_t)sizeof rows - 1;
-    const bool ready = fed && wait_for_temporary();
+    const pid_t child = start(argv + 5, interrupt, strcmp(argv[2], "ignored") == 0);
+    const int feed = is_fed ? feed_program() : -1;
+    const bool ready = (!is_fed || feed >= 0) && wait_for(argv[4]);
 
     (void)kill(child, ready ? interrupt : SIGKILL);
-    (void)close(feed);
+    const bool ended_feed = !is_fed || (close(feed) == 0 && unlink(record) == 0);
     const bool ended = waitpid(child, &status, 0) == child;
-    (void)unlink(record);
-    if (!ready || !ended) {
+    if (!ready || !ended_feed || !ended) {
         return NOT_INTERRUPTED;
     }
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);

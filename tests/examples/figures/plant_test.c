@@ -249,6 +249,50 @@ static void test_coulomb_friction_lets_go_above_f_c(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.0, 1.0, slide_friction(&slide, &run.fine, 1.0));
 }
 
+/* ---- a controller in the loop ------------------------------------------------------------------- */
+
+/* 1 mm to and fro, once in 6.3 s */
+static double wanted(const run_t *run)
+{
+    return 1e-3 * sin(run_time(run));
+}
+
+/* A mass that a PID controller moves, at 1 kHz, through many a stop */
+static run_t controlled(bool rejoins)
+{
+    enum { PERIODS_PER_SECOND = 1000, STEPS_PER_PERIOD = 5, SECONDS = 10 };
+    double command = 0.0;
+    double sum = 0.0;
+    const slide_t slide = {{table_2, CONTACT_ELASTO_PLASTIC}, 10.0, steady_pull, &command};
+    run_t run = run_from(&slide, (slide_state_t){0.0, 0.0, 0.0},
+                         (double)PERIODS_PER_SECOND * STEPS_PER_PERIOD);
+    for (int i = 0; i < SECONDS * PERIODS_PER_SECOND; i++) {
+        const double off = wanted(&run) - run.fine.x;
+        sum += off / PERIODS_PER_SECOND;
+        command = 1e4 * off + 1e5 * sum - 600.0 * run.fine.v;
+        if (rejoins) {
+            run_rejoin(&run);
+        }
+        run_advance(&run, STEPS_PER_PERIOD);
+    }
+    return run;
+}
+
+static void test_a_run_that_rejoins_stays_together_under_a_controller(void)
+{
+    const run_t run = controlled(true);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, wanted(&run), run.fine.x);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.0, run.apart.x);
+    TEST_ASSERT_TRUE(controlled(false).apart.x > 1e-3);
+}
+
+static void test_rejoining_leaves_the_fine_motion_alone(void)
+{
+    const run_t one = controlled(true);
+    const run_t other = controlled(false);
+    TEST_ASSERT_TRUE(one.fine.x == other.fine.x && one.fine.z == other.fine.z);
+}
+
 /* ---- the driving force -------------------------------------------------------------------------- */
 
 static void test_drive_is_lines_and_sines(void)
@@ -381,6 +425,8 @@ int main(void)
     RUN_TEST(test_coulomb_friction_stops_the_mass_and_holds_it);
     RUN_TEST(test_coulomb_friction_turns_with_the_mass);
     RUN_TEST(test_coulomb_friction_lets_go_above_f_c);
+    RUN_TEST(test_a_run_that_rejoins_stays_together_under_a_controller);
+    RUN_TEST(test_rejoining_leaves_the_fine_motion_alone);
     RUN_TEST(test_drive_is_lines_and_sines);
     RUN_TEST(test_encoder_rounds_to_whole_counts);
     RUN_TEST(test_noise_is_uniform_bounded_and_told_by_its_seed);
