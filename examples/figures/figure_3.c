@@ -23,8 +23,8 @@ static const double pi = 3.14159265358979323846;
 static const double begin = -1.0;
 enum { SPAN = 9, END = 8, STEPS_PER_SECOND = 10000, STEPS_PER_LOOK = 10, LOOKS_PER_ROW = 5 };
 
-static const double slow = 1.0; /* Hz, up to 3 s */
-static const double fast = 3.0; /* Hz, from there to 6 s */
+static const double slow = 1.0;         /* Hz, up to 3 s */
+static const double fast = 3.0;         /* Hz, from there to 6 s */
 static const double resolution = 10e-9; /* of the encoder, m */
 
 static double force(const void *context, double since_begin)
@@ -47,7 +47,7 @@ typedef struct {
     /* Positions when the force begins, when it becomes faster and when it ends */
     double at_0[MODELS], at_3[MODELS], at_6[MODELS];
     double furthest[MODELS];
-    regimes_t regimes; /* of the elasto-plastic contact */
+    regimes_t regimes;   /* of the elasto-plastic contact */
     double lugre_leaves; /* when LuGre passes 2 z_max, s */
 } state_t;
 

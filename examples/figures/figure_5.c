@@ -23,7 +23,7 @@ static double further(double distance, double z, double v, double alpha)
 {
     const double along = v < 0.0 ? -z : z;
     return larger(distance,
-                fabs(alpha - friction_alpha(&table_2, along, friction_z_ss(&table_2, v))));
+                  fabs(alpha - friction_alpha(&table_2, along, friction_z_ss(&table_2, v))));
 }
 
 /* Each variant is asked at a deflection and a velocity that it can tell exactly */

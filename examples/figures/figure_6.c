@@ -145,7 +145,8 @@ static void claim_closeness(claims_t *claims, const state_t *state)
     for (int rule = 0; rule < PROFILE_RULES; rule++) {
         for (int i = 0; i < PROFILE_SPACINGS; i++) {
             const track_t *track = &state->right.tracks[rule][i];
-            claim_at_most(claims, percent(errors_largest(&track->errors)), limits[rule][i], "% of the plot",
+            claim_at_most(claims, percent(errors_largest(&track->errors)), limits[rule][i],
+                          "% of the plot",
                           "%s, D_x = %g um: largest error of z at the updates (rms %.2g %%)",
                           update_name((epf_update_t)rule), profile_spacings[i] / MICRO,
                           percent(errors_rms(&track->errors)));
@@ -199,10 +200,11 @@ static void claim_convergence(claims_t *claims, const state_t *state)
             least = smaller(least, state->apart_before[rule][i]);
         }
     }
-    claim_at_least(claims, least / MICRO, 9.0, "um",
-                   "initial error of %g um: what is left of it at %g s, before the slide, the least "
-                   "of both rules and every D_x",
-                   wrong_by / MICRO, slide_begins);
+    claim_at_least(
+        claims, least / MICRO, 9.0, "um",
+        "initial error of %g um: what is left of it at %g s, before the slide, the least "
+        "of both rules and every D_x",
+        wrong_by / MICRO, slide_begins);
     for (int rule = 0; rule < PROFILE_RULES; rule++) {
         for (int i = 0; i < PROFILE_SPACINGS; i++) {
             claim_at_most(claims, state->apart_after[rule][i] / MICRO, 1e-5, "um",

@@ -23,8 +23,10 @@ static const char usage[] =
     "usage: epf_figures [options]\n"
     "\n"
     "Makes the figures of the paper, each as figure_N.csv and figure_N.png, and prints for each\n"
-    "claim about them what was measured, what the limit is and whether it holds. Exit status: 0 if\n"
-    "all hold, 1 if a file cannot be written, 2 if the command line is not understood, 3 if a claim\n"
+    "claim about them what was measured, what the limit is and whether it holds. Exit status: 0 "
+    "if\n"
+    "all hold, 1 if a file cannot be written, 2 if the command line is not understood, 3 if a "
+    "claim\n"
     "does not hold. The last, fidelity, is none of the paper's: how close each model comes to the "
     "continuous\n"
     "one.";

@@ -129,8 +129,7 @@ void tremor_claims(claims_t *claims)
     claim_watchers(claims, &watchers);
     claim_at_most(claims, lugre.leaves, 2.0, "s",
                   "the same tremor, LuGre: the distance is above 2 z_max from");
-    claim_at_least(claims, lugre.furthest * 1e3, 50.0, "mm",
-                   "the same, LuGre: largest distance");
+    claim_at_least(claims, lugre.furthest * 1e3, 50.0, "mm", "the same, LuGre: largest distance");
     claim_at_most(claims, lugre.apart * 1e3, 0.02, "mm",
                   "the same, LuGre: half the step moves x by");
 }
