@@ -70,11 +70,8 @@ static const struct {
     step_by_t *step;
 } variants[VARIANTS] = {{"f32", step_f32}, {"q31", step_q31}, {"q15", step_q15}};
 
-enum {
-    BELOW,
-    ABOVE,
-    SIDES
-}; /* z_ss: from where the contact gives way, and from where it lets go */
+/* Of z_ss: where a step begins. From below the contact gives way, from above it lets go. */
+enum { BELOW, ABOVE, SIDES };
 
 /* Limits are a few percent above what the rule reaches, so that other constants in it fail one of them */
 static const struct {

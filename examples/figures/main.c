@@ -23,13 +23,11 @@ static const char usage[] =
     "usage: epf_figures [options]\n"
     "\n"
     "Makes the figures of the paper, each as figure_N.csv and figure_N.png, and prints for each\n"
-    "claim about them what was measured, what the limit is and whether it holds. Exit status: 0 "
-    "if\n"
-    "all hold, 1 if a file cannot be written, 2 if the command line is not understood, 3 if a "
-    "claim\n"
-    "does not hold. The last, fidelity, is none of the paper's: how close each model comes to the "
-    "continuous\n"
-    "one.";
+    "claim about them what was measured, what the limit is and whether it holds. The last,\n"
+    "fidelity, is none of the paper's: how close each model comes to the continuous one.\n"
+    "\n"
+    "Exit status: 0 if all claims hold, 1 if a file cannot be written, 2 if the command line is\n"
+    "not understood, 3 if a claim does not hold.";
 
 enum { OUT, FIGURE, NO_PICTURES, OPTIONS };
 static const option_t table[OPTIONS] = {
