@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "claims.h"
 
+#include "problem.h"
 #include "progress.h"
 
 #include <stdarg.h>
@@ -48,5 +49,8 @@ void claim_at_least(claims_t *claims, double measured, double limit, const char 
 bool claims_hold(const claims_t *claims)
 {
     (void)printf("%u claims, %u fail\n", claims->stated, claims->failed);
-    return claims->stated > 0 && claims->failed == 0;
+    if (claims->stated == 0 || claims->failed > 0) {
+        return problem("%u of %u claims do not hold", claims->failed, claims->stated);
+    }
+    return true;
 }

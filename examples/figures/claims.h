@@ -21,7 +21,11 @@ void claim_at_most(claims_t *claims, double measured, double limit, const char *
 void claim_at_least(claims_t *claims, double measured, double limit, const char *unit,
                     const char *format, ...);
 
-/* Prints how many claims there were and how many fail. True if all hold, and there was one. */
+/* Exit status, beside those of problem.h: the figures are made, but a claim does not hold */
+enum { EXIT_CLAIM = 3 };
+
+/* Prints how many claims there were and how many fail. False, and the problem reported, if one fails, or if
+   there was none. */
 bool claims_hold(const claims_t *claims);
 
 #endif

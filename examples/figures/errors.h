@@ -4,13 +4,19 @@
 #define ERRORS_H
 
 typedef struct {
-    double squares, largest;
+    double squares, most; /* read through the functions below */
     unsigned long count;
 } errors_t;
 
 void errors_add(errors_t *errors, double error);
 
-/* Root of the mean square; NaN if there are none */
+/* Root of the mean square, and the largest without its sign. NaN if one of the errors was, or if there are
+   none: then no claim about them holds. */
 double errors_rms(const errors_t *errors);
+double errors_largest(const errors_t *errors);
+
+/* The larger and the smaller of two; NaN if one of them is, where fmax and fmin would drop it */
+double larger(double a, double b);
+double smaller(double a, double b);
 
 #endif

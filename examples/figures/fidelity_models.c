@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "fidelity_models.h"
 
-#include "problem.h"
 #include "rules.h"
 #include "tables.h"
+#include "track.h"
 
 #include <math.h>
 #include <stddef.h>
-#include <stdlib.h>
 
 /* Of the library, or else a rule of examples/plant */
 typedef struct {
@@ -79,12 +78,7 @@ void runner_start(runner_t *runner, model_t model, double spacing)
     }
     const epf_params_t params = params_of(&table_2, description->update);
     const epf_lsb_t lsb = weights(description->variant, &params, spacing);
-    const epf_status_t status =
-        estimator_start(&runner->estimator, description->variant, &params, &lsb);
-    if (status != EPF_OK) {
-        (void)problem("%s: %s", description->name, epf_status_text(status));
-        exit(EXIT_FAILURE);
-    }
+    estimator_begin(&runner->estimator, description->variant, &params, &lsb);
 }
 
 void runner_update(runner_t *runner, const update_t *update, const slide_state_t *motion,
@@ -92,7 +86,9 @@ void runner_update(runner_t *runner, const update_t *update, const slide_state_t
 {
     const description_t *description = &descriptions[runner->model];
     const double v = runner->model == MODEL_END_VELOCITY ? motion->v : update->v;
-    if (description->variant != NULL) {
+    if (description->variant != NULL && runner->estimator.variant == NULL) {
+        runner->z = (double)NAN; /* it did not start */
+    } else if (description->variant != NULL) {
         const motion_t step = {update->dx, v, update->dt, motion->x, time};
         estimator_step(&runner->estimator, &step);
         runner->z = estimator_estimate(&runner->estimator).z_m;

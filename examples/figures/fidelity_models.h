@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What is compared with the continuous model in the fidelity benchmark: the library in its variants, what
- * a user would take otherwise, and the exact flow, the least that any rule can reach.
+ * a user would take otherwise, and the exact flow: the exact solution at the mean velocity.
  */
 #ifndef FIDELITY_MODELS_H
 #define FIDELITY_MODELS_H

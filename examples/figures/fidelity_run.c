@@ -75,19 +75,6 @@ double trigger_value(int trigger)
 
 /* ---- the run -------------------------------------------------------------------------------- */
 
-static regime_t regime_of(const slide_state_t *motion)
-{
-    const double zeta = motion->v < 0.0 ? -motion->z : motion->z;
-    const double z_ss = friction_z_ss(&table_2, motion->v);
-    if (zeta <= table_2.z_ba) {
-        return REGIME_ELASTIC;
-    }
-    if (zeta > z_ss) {
-        return REGIME_CASE_1;
-    }
-    return zeta > 0.95 * z_ss ? REGIME_SLIDING : REGIME_MIXED;
-}
-
 static void look(fidelity_t *fidelity, trigger_t *trigger, int i, const run_t *run)
 {
     update_t update;
@@ -99,7 +86,7 @@ static void look(fidelity_t *fidelity, trigger_t *trigger, int i, const run_t *r
         runner_update(&fidelity->runners[i][model], &update, &run->fine, run_time(run));
     }
     if (i == AT_100_NM) {
-        fidelity->regimes[regime_of(&run->fine)]++;
+        regimes_add(&fidelity->regimes, &table_2, run->fine.z, run->fine.v);
     }
 }
 
@@ -111,9 +98,7 @@ static void start(fidelity_t *fidelity, trigger_t at[TRIGGERS])
             runner_start(&fidelity->runners[i][model], (model_t)model, triggers[i].spacing);
         }
     }
-    for (int regime = 0; regime < REGIMES; regime++) {
-        fidelity->regimes[regime] = 0;
-    }
+    fidelity->regimes = (regimes_t){{0}};
 }
 
 void fidelity_run(fidelity_t *fidelity, int motion)
@@ -144,5 +129,5 @@ double fidelity_rms(const fidelity_t *fidelity, int trigger, model_t model)
 
 double fidelity_largest(const fidelity_t *fidelity, int trigger, model_t model)
 {
-    return fidelity->runners[trigger][model].errors.largest / friction_z_max(&table_2);
+    return errors_largest(&fidelity->runners[trigger][model].errors) / friction_z_max(&table_2);
 }

@@ -4,6 +4,7 @@
 #define FIDELITY_RUN_H
 
 #include "fidelity_models.h"
+#include "regimes.h"
 
 /* By distance and by time; in the order of the tables */
 enum { SPACINGS = 5, TRIGGERS = SPACINGS + 4 };
@@ -13,15 +14,12 @@ enum { AT_10_NM, AT_100_NM, AT_1_UM, AT_5_UM, AT_10_UM, AT_100_HZ, AT_1_KHZ, AT_
 const char *trigger_name(int trigger);
 double trigger_value(int trigger); /* m or Hz */
 
-/* Where an update finds the contact */
-typedef enum { REGIME_ELASTIC, REGIME_MIXED, REGIME_SLIDING, REGIME_CASE_1, REGIMES } regime_t;
-
 enum { START_AND_STOP, SHAKEN, MOTIONS };
 
 typedef struct {
     runner_t runners[TRIGGERS][MODELS];
-    unsigned long regimes[REGIMES]; /* updates at D_x = 0.1 um */
-    double apart;                   /* how far half the step of integration moves z, m */
+    regimes_t regimes; /* updates at D_x = 0.1 um */
+    double apart;      /* how far half the step of integration moves z, m */
 } fidelity_t;
 
 const char *fidelity_motion_name(int motion);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Fig. 5 of the paper: alpha(z, v), eq. (10): elastic up to z_ba, mixed up to z_ss(v), then plastic */
 #include "coefficients.h"
+#include "errors.h"
 #include "figure.h"
 #include "tables.h"
 
@@ -21,8 +22,8 @@ typedef struct {
 static double further(double distance, double z, double v, double alpha)
 {
     const double along = v < 0.0 ? -z : z;
-    return fmax(distance,
-                fabs(alpha - friction_alpha(&table_2, along, friction_z_ss(&table_2, v))));
+    return larger(distance,
+                  fabs(alpha - friction_alpha(&table_2, along, friction_z_ss(&table_2, v))));
 }
 
 /* Each variant is asked at a deflection and a velocity that it can tell exactly */
@@ -33,7 +34,7 @@ static void compare_f32(const coefficients_t *as, double z, double v, distances_
     const double alpha = (double)epf_f32_alpha(&as->f32, exact_z, exact_v);
     worst->f32 = further(worst->f32, (double)exact_z, (double)exact_v, alpha);
     if ((v < 0.0 ? -z : z) < 0.9999 * table_2.z_ba) {
-        worst->where_elastic = fmax(worst->where_elastic, alpha);
+        worst->where_elastic = larger(worst->where_elastic, alpha);
     }
 }
 
@@ -90,8 +91,8 @@ void figure_5(FILE *csv, claims_t *claims)
         }
     }
     claim_at_most(claims, 1e6 * worst.f32, 2.0, "ppm", "f32: alpha(z, v) is that of eq. (10)");
-    claim_at_most(claims, 1e6 * worst.q31, 20.0, "ppm", "q31: the same");
-    claim_at_most(claims, 1e6 * worst.q15, 2000.0, "ppm", "q15: the same");
+    claim_at_most(claims, 1e6 * worst.q31, 2.0, "ppm", "q31: the same");
+    claim_at_most(claims, 1e6 * worst.q15, 1000.0, "ppm", "q15: the same");
     claim_at_most(claims, 1e6 * worst.where_elastic, 0.0, "ppm",
                   "f32: largest alpha up to z_ba, and where z and v differ in sign");
 }

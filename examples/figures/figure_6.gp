@@ -6,12 +6,12 @@ picture = ARG2
 load ARG0[1:strlen(ARG0)-strlen('figure_6.gp')].'style.gp'
 
 set xrange [0:1.2]
-set multiplot layout 4,1 margins 0.09, 0.97, 0.07, 0.98 spacing 0, 0.045
+set multiplot layout 4,1 margins 0.09, 0.97, 0.07, 0.95 spacing 0, 0.045
 set ylabel 'force (N)'
 set yrange [-2.2:2.2]
 set ytics 1
 set format x ''
-set key top right
+set key at screen 0.53, 0.995 center top horizontal maxrows 1 width -4 # for all panels
 plot data every ::1 using 1:2 with lines linestyle 5 notitle, \
      NaN with lines linestyle 1 title 'continuous', \
      NaN with lines linestyle 3 title 'saturated (published)', \

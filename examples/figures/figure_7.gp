@@ -6,7 +6,7 @@ picture = ARG2
 load ARG0[1:strlen(ARG0)-strlen('figure_7.gp')].'style.gp'
 
 begins = '0.20 0.65 0.98'
-ends = '0.34 0.81 1.10'
+ends = '0.34 0.78 1.10'
 lows = '-11 9 -14'
 highs = '15 15 4'
 array names[3] = ['the initial error goes', 'the slide gathers speed', 'released']
@@ -25,9 +25,9 @@ do for [rule = 0:1] {
         first = 5 + 3*rule
         within(t) = t >= word(begins, i) && t <= word(ends, i) ? t : NaN
         plot data every ::1 using (within($1)):4 with lines linestyle 1 title 'continuous', \
-             data every ::1 using (within($1)):(column(first + 2)) with steps linestyle 4 title 'D_x = 5 µm', \
-             data every ::1 using (within($1)):(column(first + 1)) with steps linestyle 3 title '1 µm', \
-             data every ::1 using (within($1)):(column(first)) with steps linestyle 2 title '0.1 µm'
+             data every ::1 using (within($1)):(column(first + 2)) with steps linestyle 15 title 'D_x = 5 µm', \
+             data every ::1 using (within($1)):(column(first + 1)) with steps linestyle 13 title '1 µm', \
+             data every ::1 using (within($1)):(column(first)) with steps linestyle 11 title '0.1 µm'
     }
 }
 unset multiplot

@@ -7,7 +7,7 @@ load ARG0[1:strlen(ARG0)-strlen('figure_fidelity.gp')].'style.gp'
 
 models = '"exact flow" "mean value q15" "mean value f32" "saturated f32" "elasto-plastic by Euler" \
           "LuGre by Euler" "Algorithm 1 as printed"'
-titles = '"exact flow, the least of any rule" "mean value, q15" "mean value, f32 (and q31)" "saturated, f32" \
+titles = '"exact flow at the mean velocity" "mean value, q15" "mean value, f32 (and q31)" "saturated, f32" \
           "elasto-plastic by Euler" "LuGre by Euler" "Algorithm 1 as printed"'
 set style line 1 linewidth 7 pointtype 7 pointsize 1.5
 set style line 2 linecolor rgb '#f59e0b' linewidth 1.5 pointtype 6 pointsize 1.3
@@ -25,7 +25,7 @@ rate(i) = is_shown(i) && column(4) >= 1 ? column(4) : NaN
 set logscale xy
 set yrange [2e-7:0.5]
 set format y '10^{%L}'
-set multiplot layout 1,2 margins 0.1, 0.985, 0.28, 0.97 spacing 0.06, 0
+set multiplot layout 1,2 margins 0.1, 0.985, 0.28, 0.93 spacing 0.06, 0 title 'motion: start and stop'
 
 set ylabel 'rms error of z at the updates (z_{max})'
 set xlabel 'distance between updates, D_x (µm)'

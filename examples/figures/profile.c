@@ -4,8 +4,9 @@
 #include "drive.h"
 #include "tables.h"
 
+/* The spike is short: the mass turns back before the contact slips */
 static const drive_point_t points[] = {
-    {0.00, 0.0}, {0.05, 0.0}, {0.06, 1.8}, {0.07, 0.0}, {1.00, 0.0},
+    {0.00, 0.0}, {0.05, 0.0}, {0.06, 1.5}, {0.07, 0.0}, {1.00, 0.0},
 };
 static const drive_sine_t sines[] = {
     {.start = 0.2, .end = 1.0, .amplitude = 1.6, .frequency = 2.5},
@@ -14,6 +15,7 @@ static const drive_t drive = {points, sizeof points / sizeof points[0], sines,
                               sizeof sines / sizeof sines[0]};
 
 const double profile_end = 1.2;
+const double profile_release = 1.0;
 const double profile_range = 30e-6;
 
 run_t profile_run(slide_t *slide)
@@ -47,9 +49,14 @@ void followers_look(followers_t *followers, const run_t *run)
 
 void followers_write_header(FILE *csv)
 {
-    (void)fputs("time_s,force_N,x_um,z_um,saturated_0.1_um,saturated_1_um,saturated_5_um,"
-                "mean_value_0.1_um,mean_value_1_um,mean_value_5_um\n",
-                csv);
+    (void)fputs("time_s,force_N,x_um,z_um", csv);
+    for (int rule = 0; rule < PROFILE_RULES; rule++) {
+        for (int i = 0; i < PROFILE_SPACINGS; i++) {
+            (void)fprintf(csv, ",%s %g um", update_name((epf_update_t)rule),
+                          profile_spacings[i] / MICRO);
+        }
+    }
+    (void)fputc('\n', csv);
 }
 
 void followers_write_row(FILE *csv, const followers_t *followers, const run_t *run)

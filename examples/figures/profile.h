@@ -14,8 +14,9 @@
 #include <stdio.h>
 
 enum { PROFILE_STEPS_PER_SECOND = 50000 };
-extern const double profile_end;   /* s */
-extern const double profile_range; /* of z, m: from -z_max to z_max, which the pictures show */
+extern const double profile_end;     /* s */
+extern const double profile_release; /* s: no force from here on */
+extern const double profile_range;   /* of z, m: from -z_max to z_max, which the pictures show */
 
 /* From rest; the slide is made, and must outlive the run */
 run_t profile_run(slide_t *slide);

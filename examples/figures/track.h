@@ -14,7 +14,12 @@ typedef struct {
     errors_t errors; /* of z, m */
 } track_t;
 
-/* From rest at x, at the time 0. The parameters must suit the library: what the paper gives does. */
+/* Starts an estimator. The parameters must suit the library: what the paper gives does. If they do not,
+   that is reported, `variant` is NULL, and there is no estimate. */
+void estimator_begin(estimator_t *estimator, const variant_t *variant, const epf_params_t *params,
+                     const epf_lsb_t *lsb);
+
+/* From rest at x, at the time 0. Without an estimator z and all errors are NaN, and no claim holds. */
 void track_start(track_t *track, const variant_t *variant, const epf_params_t *params,
                  double spacing, double x);
 
@@ -25,5 +30,6 @@ void track_set_z(track_t *track, double z);
 bool track_look(track_t *track, double x, double time, double z);
 
 double track_z(const track_t *track);
+double track_force(const track_t *track);
 
 #endif

@@ -25,8 +25,9 @@ rule_t rule_lugre_exact;
 rule_t rule_algorithm_1_as_printed;
 
 /*
- * The elasto-plastic model itself over dx at constant v: dz/dx = 1 - alpha z/z_ss, to 1e-9 z_ss.
- * No rule that is told dx, v and dt can be closer.
+ * The elasto-plastic model itself over dx at constant v: dz/dx = 1 - alpha z/z_ss, to 1e-9 z_ss. With the
+ * mean velocity of a step it is what a rule aims at. It is no bound: it errs where v changes within a step,
+ * and the error of a rule may happen to point the other way.
  */
 rule_t rule_exact_flow;
 

@@ -8,15 +8,19 @@ epf_add_test_as(plant_test figures/plant_test.c
     "${plant}/rules.c" "${plant}/slide.c" "${plant}/trigger.c")
 target_include_directories(plant_test PRIVATE "${plant}")
 
-add_executable(claims_test figures/claims_test.c "${figures}/claims.c" "${figures}/errors.c")
+add_executable(claims_test figures/claims_test.c "${figures}/claims.c" "${figures}/errors.c"
+    "${figures}/regimes.c" "${figures}/tables.c" "${figures}/track.c")
 target_include_directories(claims_test PRIVATE "${figures}")
-target_link_libraries(claims_test PRIVATE epf_test_support examples_common)
+target_link_libraries(claims_test PRIVATE epf_test_support examples_common examples_plant)
 epf_own_warnings(claims_test)
 epf_test_flags(claims_test)
 epf_run_test(claims_test)
 add_test(NAME claims_say_what_fails COMMAND claims_test)
 set_tests_properties(claims_say_what_fails PROPERTIES
     PASS_REGULAR_EXPRESSION "\n[|] 9 [|] above its limit [|] 1 N [|] <= 1 [|] FAILS [|]\n")
+add_test(NAME claims_say_how_many_fail COMMAND claims_test)
+set_tests_properties(claims_say_how_many_fail PROPERTIES
+    PASS_REGULAR_EXPRESSION "(^|\n)[^\n]*: 2 of 4 claims do not hold\n")
 
 add_executable(fidelity_test figures/fidelity_test.c "${figures}/fidelity_costs.c")
 target_include_directories(fidelity_test PRIVATE "${figures}")
