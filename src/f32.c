@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The estimator in single precision. Read course() for eqs. (12) and (13), epf_f32_force() for (14).
+/* The estimator in single precision. Read course() for eqs. (12) and (13),
+   mean_value_f32.h for the other update rule, epf_f32_force() for (14).
    The common path of each function is free of special cases: what is unusable, or beyond the range of
    float, fails one of its comparisons and goes another way. */
 #include "epf/f32.h"
@@ -310,10 +311,11 @@ static IN_LINE float advance_by_mean_value(epf_f32_t *ep, float dx)
     const epf_f32_coeffs_t *c = ep->coeffs;
     const deflection_t z = {ep->z, ep->z_low};
     const float gap = gap_of(z, s, point->z_ss);
-    const float room = c->z_ba - s * z.high;
+    const float room = gap_of(z, s, c->z_ba);
     if (d < room) {
         return move_by(ep, z, dx, dx); /* all elastic */
     }
+    /* whatever falls through arrives in z_ss */
     if (LIKELY(d < 2.0f * c->z_max)) { /* more says nothing about the way: it ends in z_ss */
         if (LIKELY(gap > 0.0f)) {
             const float dzeta = mean_value(point, c->z_ba, room, gap, d);
@@ -432,7 +434,7 @@ float epf_f32_force(epf_f32_t *ep, float dt)
     return publish_force(ep, force);
 }
 
-/* ---- all of Algorithm 1 --------------------------------------------------------------------- */
+/* ---- all in one: step ----------------------------------------------------------------------- */
 
 static OUT_OF_LINE float step_by_calls(epf_f32_t *ep, float dx, float v, float dt)
 {

@@ -18,15 +18,15 @@ static inline fraction_t mean_root(fraction_t v)
 }
 
 /* The share of the span that the gap has where to take eq. (12), for a displacement of 4 p S that begins
-   at the share u. What happens until there is estimated with w b for 1 - alpha,
-   b = w (11/4 - 13/8 w). A quarter of b and of the rate b + r (1 - w b) fits a fraction. */
+   at the share u. What happens until there is estimated with w b for 1 - alpha, b = w (11/4 - 13/8 w), so
+   that the gap closes at the rate b + r (1 - w b) = r + b (1 - w r). A quarter of these fits a fraction. */
 /*@ assigns \nothing; */
 static IN_LINE fraction_t mean_share(fraction_t u, fraction_t p, fraction_t r)
 {
     const fraction_t w = u - product(u, (fraction_t)(p + p / 4u));
-    const fraction_t b = product(w, THIRTY_SECONDS(22u) - product(w, THIRTY_SECONDS(13u)));
-    const fraction_t rate = (fraction_t)(r / 4u + product(b, ONE - product(w, r)));
-    const fraction_t h = mean_root((fraction_t)(4u * product(p, rate)));
+    const fraction_t quarter_b = product(w, THIRTY_SECONDS(22u) - product(w, THIRTY_SECONDS(13u)));
+    const fraction_t quarter_rate = (fraction_t)(r / 4u + product(quarter_b, ONE - product(w, r)));
+    const fraction_t h = mean_root((fraction_t)(4u * product(p, quarter_rate)));
     return product(u, product(h, h));
 }
 
@@ -42,7 +42,7 @@ static IN_LINE int32_t approached(const coeffs_t *c, const point_t *point, int32
     const uint32_t most = (uint32_t)(point->z_ss - c->z_ba) / 8u * 5u; /* for p up to 5/8 */
     const fraction_t p = share_of_span(point, quarter < most ? quarter : most);
     const fraction_t u = share_of_span(point, (uint32_t)gap - 1u); /* no fraction is 1 */
-    return saturated(deflecting_part(point, mean_share(u, p, point->span_share), d), gap);
+    return within_gap(deflecting_part(point, mean_share(u, p, point->span_share), d), gap);
 }
 
 /* -dzeta from above z_ss: near 1 - exp(-q) of the excess zeta - z_ss, q = d/z_ss; all of it from 2.7 on */
@@ -54,7 +54,7 @@ static IN_LINE int32_t approached(const coeffs_t *c, const point_t *point, int32
 static IN_LINE int32_t let_go(int32_t z_ss, int32_t excess, int32_t d)
 {
     if (d / 4 >= z_ss - z_ss / 8) {
-        return excess; /* q is 7/2 at the least; below that q/4 is a fraction */
+        return excess; /* q/4 >= 7/8, where all goes; below that it is a fraction */
     }
     const uint32_t v = quarter_of_ratio((uint32_t)d, (uint32_t)z_ss);
     const fraction_t h = mean_root(leading(v));

@@ -5,6 +5,13 @@
 
 #include "epf/params.h"
 
+#ifdef EPF_STRIBECK_ONLY
+typedef char epf_stribeck_only_must_be_a_form[EPF_STRIBECK_ONLY <= EPF_STRIBECK_COULOMB ? 1 : -1];
+#endif
+#ifdef EPF_UPDATE_ONLY
+typedef char epf_update_only_must_be_a_rule[EPF_UPDATE_ONLY <= EPF_UPDATE_MEAN_VALUE ? 1 : -1];
+#endif
+
 /* The form of f_ss(v); known to the compiler where the library is built for one form only */
 /*@ assigns \nothing; */
 static inline epf_stribeck_t form_in_use(epf_stribeck_t form)

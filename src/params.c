@@ -166,7 +166,7 @@ const char *epf_status_text(epf_status_t status)
     case EPF_ERR_STRIBECK:
         return "stribeck must be a form that this build has";
     case EPF_ERR_UPDATE:
-        return "update must be a rule that this version has";
+        return "update must be a rule that this build has";
     case EPF_ERR_LSB_X:
         return "lsb.x must be positive, no coarser than z_ba and no finer than z_max 2^-30";
     case EPF_ERR_LSB_V:

@@ -15,7 +15,7 @@ static LEAF int32_t saturated_rule(const coeffs_t *c, const point_t *point, int3
         return gap; /* case 1 */
     }
     if (zeta <= c->z_ba) {
-        return saturated(d, gap);
+        return within_gap(d, gap);
     }
-    return saturated(deflecting_part(point, share_of_span(point, (uint32_t)gap), d), gap);
+    return within_gap(deflecting_part(point, share_of_span(point, (uint32_t)gap), d), gap);
 }

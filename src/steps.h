@@ -21,7 +21,7 @@
     ensures y <= gap ==> \result == y;
     ensures y >= gap ==> \result == gap;
 */
-static inline int32_t saturated(int32_t y, int32_t gap)
+static inline int32_t within_gap(int32_t y, int32_t gap)
 {
     return y < gap ? y : gap;
 }

@@ -17,7 +17,7 @@
       valid_span(p);
 
     // z_k, s (z_k - z_{k-1}) and s = sgn dx_k, as a step leaves them. Where the deflection shrinks
-    // along the motion it was above z_ss, and is z_ss > 0 now.
+    // along the motion it was above z_ss, and is z_ss > 0 or above now.
     predicate valid_motion(coeffs_t *c, integer z, integer dzeta, integer direction) =
       -c->z_max <= z <= c->z_max &&
       -2 * c->z_max <= dzeta <= 2 * c->z_max &&

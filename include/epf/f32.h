@@ -49,8 +49,8 @@
  * not those of other builds. Old compilers (avr-gcc 5) are silent about parts of -ffast-math, such as
  * -fassociative-math: do not use them there. Where subnormal numbers are flushed to zero (some FPUs at
  * start-up, -ffast-math at link time) the promises hold for z_max above 1e-18 m. There a dx below FLT_MIN
- * still has a direction, so that it lets go in case 1, but moves z by nothing; v below FLT_MIN counts
- * as 0, and dt below it is unusable.
+ * still has a direction, so that by the saturated rule it lets go in case 1, but moves z by nothing; v
+ * below FLT_MIN counts as 0, and dt below it is unusable.
  *
  * Cost. No loop, no recursion, no call of memset or libm, no heap, no static data. Divisions are stated
  * per function; the rest is multiplications, additions and comparisons of floats.
@@ -59,7 +59,6 @@
 #define EPF_F32_H
 
 #include "epf/detail/constants.h"
-#include "epf/detail/names.h"
 #include "epf/params.h"
 
 #include <stdint.h>
@@ -210,7 +209,7 @@ void epf_f32_set_velocity(epf_f32_t *ep, float v);
 float epf_f32_advance(epf_f32_t *ep, float dx);
 
 /**
- * set_velocity, then advance: one step of Algorithm 1 without the force.
+ * set_velocity, then advance: one step without the force.
  *
  * @param ep  estimator.
  * @param dx  displacement, m, as for epf_f32_advance.
@@ -228,8 +227,8 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
  *
  * It opposes motion towards +x where positive, so a compensator adds it to its command.
  *
- * The passivity guard: where the deflection gives way to the motion (case 1: |z_ss(v)| fell below |z|)
- * the damping term opposes the other two, and is limited to 1 - 2^-10 of them. Theorems 3 and 4 then
+ * The passivity guard: where the deflection gives way to the motion (case 1: z_ss(v) fell below the
+ * deflection along the motion) the damping term opposes the other two, and is limited to 1 - 2^-10 of them. Theorems 3 and 4 then
  * hold for every sigma_1 and dt, up to the rounding of z: a plastic displacement below 2^-23 z_max may
  * have either sign, and f dx may fall short of W_k - W_{k-1} where |dx| is below 2^-22 z_max. They need
  * sigma_0 z_ba and f_c/1024 to be normal numbers. The guard
@@ -237,10 +236,10 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
  * f_max >= 1.001 f_c. For f_max nearer to f_c the roundings of z, 2^-24 z_max each, are no longer small
  * beside z_max - z_c: the guard may then act below the bound.
  *
- * @param ep  estimator.
  * The velocity is that last set when force is called. Called once more, it gives the force of the last
  * displacement once more, the damping term included.
  *
+ * @param ep  estimator.
  * @param dt  time over which the last displacement took place, s. Unless it is positive and finite
  *            it is counted, and the damping term is 0.
  * @return force in N, always finite. Where dt is unusable, or a term or |f| + dt leaves the range of float,
@@ -255,7 +254,8 @@ float epf_f32_update(epf_f32_t *ep, float dx, float v);
 float epf_f32_force(epf_f32_t *ep, float dt);
 
 /**
- * update, then force: all of Algorithm 1, in one pass and with the same bits.
+ * update, then force, with the same bits. By the saturated rule that is all of Algorithm 1, and one pass,
+ * for less than the calls; by the mean-value rule it is the three calls.
  *
  * @param ep  estimator.
  * @param dx  displacement, m, as for epf_f32_advance.

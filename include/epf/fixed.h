@@ -101,15 +101,15 @@
  *
  * **advance(ep, dx)** advances the state over one displacement, eqs. (12) and (13), by the update rule of
  * the coefficients and at the velocity last set, and returns z_k in u. In case 1 the saturated rule goes to
- * z_ss(v) at once, the mean-value rule towards it. The direction is that of dx alone. dx = 0 leaves z, for the model knows no
- * time; the next force then has no damping term, and v' = v. Displacement context.
+ * z_ss(v) at once, the mean-value rule towards it. The direction is that of dx alone. dx = 0 leaves z, for
+ * the model knows no time; the next force then has no damping term, and v' = v. Displacement context.
  * Scaling and overflow: [8] dx enters the state as dx 2^z_shift u, exactly. [9] All of the range of dx is
  * allowed, the most negative number included; from 2 z_max on the state ends in z_ss(v), by either rule. Up
  * to there a longer displacement never ends further from z_ss(v) than a shorter one: by the saturated rule
  * exactly, by the mean-value rule to the variant's rounding. [10] The result is within [-z_max, z_max], so
  * that nothing wraps.
  *
- * **update(ep, dx, v)** is set_velocity, then advance: a step of Algorithm 1 without the force.
+ * **update(ep, dx, v)** is set_velocity, then advance: a step without the force.
  *
  * **force(ep, dt)** is the friction force of the present state in lsb.f, eq. (14):
  *
@@ -124,7 +124,7 @@
  * 128 f_max or more; its accuracy stands at the variant. [12] The accuracy of the result stands there, too.
  * [13] The result saturates at the largest number and its negative. [14] Rounding never turns its sign.
  *
- * **step(ep, dx, v, dt)** is update, then force, all of Algorithm 1: the same bits, for less.
+ * **step(ep, dx, v, dt)** is update, then force: the same bits, for less.
  *
  * **output(ep)** is the force last published, lsb.f (by init: 0; by reset: sigma_0 z). Any context.
  *

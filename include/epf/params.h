@@ -19,6 +19,8 @@
 #ifndef EPF_PARAMS_H
 #define EPF_PARAMS_H
 
+#include "epf/detail/names.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -58,7 +60,7 @@ typedef enum {
 /**
  * How the state advances over one displacement. Take EPF_UPDATE_MEAN_VALUE, which follows the continuous
  * model as closely as the exact solution at constant velocity does, unless you want the published
- * algorithm. Give either the mean velocity of the displacement, dx/dt, not the velocity at its end. The
+ * algorithm. Give both the mean velocity of the displacement, dx/dt, not the velocity at its end. The
  * theorems hold for both. Where one rule is enough, define EPF_UPDATE_ONLY to it, as EPF_STRIBECK_ONLY to
  * a form.
  */

@@ -8,7 +8,6 @@
 #define EPF_Q15_H
 
 #include "epf/detail/constants.h"
-#include "epf/detail/names.h"
 #include "epf/fixed.h"
 
 #ifdef __cplusplus
@@ -105,8 +104,9 @@ void epf_q15_set_velocity(epf_q15_t *ep, int16_t v);
 
 /**
  * Advances the state over a displacement, lsb.x; any. Returns z_k in u. Displacement context.
- * Within 1e-3 z_max of eqs. (12) and (13), and of the mean-value rule for the z_ss(v) in use; in case 1 the
- * latter is within 1e-3 z_max of the same for the exact z_ss(v) up to f_max = 2 f_c, and 2e-3 up to 10 f_c.
+ * For the z_ss(v) in use within 1e-3 z_max of eqs. (12) and (13), or of the mean-value rule. For the exact
+ * z_ss(v) the latter is within 1e-3 z_max up to f_max = 2 f_c and 2e-3 up to 10 f_c; above that z_ss(v) itself
+ * is too coarse at speed.
  * [9] A longer displacement may end further from z_ss(v) by 2.5e-4 z_max. Cost: 1 product in the elastic
  * regime, beyond it 11, by the mean-value rule 23.
  */

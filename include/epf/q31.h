@@ -9,7 +9,6 @@
 #define EPF_Q31_H
 
 #include "epf/detail/constants.h"
-#include "epf/detail/names.h"
 #include "epf/fixed.h"
 
 #ifdef __cplusplus
@@ -107,7 +106,7 @@ void epf_q31_set_velocity(epf_q31_t *ep, int32_t v);
 
 /**
  * Advances the state over a displacement, lsb.x; any. Returns z_k in u. Displacement context.
- * Within 3e-6 z_max of eqs. (12) and (13), and of the mean-value rule for the z_ss(v) in use. [9] A longer
+ * For the z_ss(v) in use within 3e-6 z_max of eqs. (12) and (13), or of the mean-value rule. [9] A longer
  * displacement may end further from z_ss(v) by 8 u. Cost: 1 product in the elastic regime, beyond it 10,
  * by the mean-value rule 21.
  */

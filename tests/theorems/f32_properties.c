@@ -30,7 +30,7 @@ static double resolution(const f32_step_t *step)
     return precision * (double)step->coeffs->z_max + 0x1p-149;
 }
 
-/* The paper's rule may make more of dx than there is, by its roundings */
+/* A rule may make more of dx than there is, by its roundings */
 void f32_rises_by_no_more_than_the_displacement(const f32_step_t *step)
 {
     const double before = exact_before(step), after = exact_after(step), d = (double)step->d;
@@ -38,23 +38,16 @@ void f32_rises_by_no_more_than_the_displacement(const f32_step_t *step)
         return;
     }
     const double dz = (double)(step->s * step->after.dz);
-    const double most = is_saturated(step) ? d * (1.0 + (double)FLT_EPSILON) + resolution(step) : d;
+    const double most = d * (1.0 + (double)FLT_EPSILON) + resolution(step);
     f32_check(step, after >= before, "zeta' >= zeta");
     f32_check(step, after <= (double)step->z_ss, "zeta' <= z_ss");
     f32_check(step, after - before <= most + resolution(step), "zeta' - zeta <= d");
     f32_check(step, dz >= 0.0 && dz <= most, "0 <= dz <= d");
 }
 
-/* The mean-value rule sees only what z is as a float: where that is z_ba, so is z */
-static double seen_before(const f32_step_t *step)
-{
-    const double before = exact_before(step);
-    return is_saturated(step) ? before : fmax(before, (double)step->zeta_before);
-}
-
 void f32_is_elastic_up_to_z_ba(const f32_step_t *step)
 {
-    const double z_ba = (double)step->coeffs->z_ba, end = seen_before(step) + (double)step->d;
+    const double z_ba = (double)step->coeffs->z_ba, end = exact_before(step) + (double)step->d;
     if (step->s == 0.0f) {
         return;
     }
