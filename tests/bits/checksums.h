@@ -7,7 +7,7 @@
 #define EPF_TESTS_CHECKSUMS_H
 
 #define CHECKSUM_F32            0x559600c0u
-#define CHECKSUM_F32_MEAN_VALUE 0xdcb2dd94u
+#define CHECKSUM_F32_MEAN_VALUE 0x5638cf03u
 
 #define CHECKSUM_Q31 0xc01dfefdu
 #define CHECKSUM_Q15 0xea9ad924u

@@ -77,6 +77,16 @@ static double glided(contact_model_t model, const friction_t *p, double z, doubl
     return run.fine.z;
 }
 
+static void test_distance_of_a_motion_that_is_no_number_is_none(void)
+{
+    const slide_t slide = {.contact = {simple, CONTACT_ELASTO_PLASTIC}, .mass = HUGE_VAL};
+    run_t run = run_from(&slide, (slide_state_t){0.0, (double)NAN, 0.0}, 100.0);
+    run_advance(&run, 1);
+    run.coarse = run.fine = (slide_state_t){0.0, 0.0, 0.0};
+    run_advance(&run, 1);
+    TEST_ASSERT_TRUE(isnan(run.apart.x) && isnan(run.apart.v) && isnan(run.apart.z));
+}
+
 static void test_lugre_and_dahl_approach_their_steady_states_exponentially(void)
 {
     const double v = -2e-4;
@@ -415,6 +425,7 @@ int main(void)
     RUN_TEST(test_each_form_has_its_steady_force_at_the_stribeck_velocity);
     RUN_TEST(test_the_steady_force_is_odd_and_its_deflection_largest_at_rest);
     RUN_TEST(test_alpha_is_a_half_period_of_a_sine);
+    RUN_TEST(test_distance_of_a_motion_that_is_no_number_is_none);
     RUN_TEST(test_lugre_and_dahl_approach_their_steady_states_exponentially);
     RUN_TEST(test_all_models_slide_with_their_steady_force);
     RUN_TEST(test_elasto_plastic_deflection_follows_the_motion_up_to_z_ba_and_returns);
