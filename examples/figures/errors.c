@@ -1,17 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "errors.h"
 
+#include "larger.h"
+
 #include <math.h>
-
-double larger(double a, double b)
-{
-    return isnan(a) || a > b ? a : b;
-}
-
-double smaller(double a, double b)
-{
-    return isnan(a) || a < b ? a : b;
-}
 
 void errors_add(errors_t *errors, double error)
 {

@@ -15,8 +15,4 @@ void errors_add(errors_t *errors, double error);
 double errors_rms(const errors_t *errors);
 double errors_largest(const errors_t *errors);
 
-/* The larger and the smaller of two; NaN if one of them is, where fmax and fmin would drop it */
-double larger(double a, double b);
-double smaller(double a, double b);
-
 #endif

@@ -7,6 +7,7 @@
 #include "fidelity_step.h"
 #include "fidelity_table.h"
 #include "figure.h"
+#include "larger.h"
 
 #include <math.h>
 

@@ -76,7 +76,7 @@ void runner_start(runner_t *runner, model_t model, double spacing)
     if (description->variant == NULL) {
         return;
     }
-    const epf_params_t params = params_of(&table_2, description->update);
+    const epf_params_t params = params_of(&friction_table_2, description->update);
     const epf_lsb_t lsb = weights(description->variant, &params, spacing);
     estimator_begin(&runner->estimator, description->variant, &params, &lsb);
 }
@@ -93,7 +93,7 @@ void runner_update(runner_t *runner, const update_t *update, const slide_state_t
         estimator_step(&runner->estimator, &step);
         runner->z = estimator_estimate(&runner->estimator).z_m;
     } else {
-        runner->z = description->rule(&table_2, runner->z, update->dx, v, update->dt);
+        runner->z = description->rule(&friction_table_2, runner->z, update->dx, v, update->dt);
     }
     errors_add(&runner->errors, runner->z - motion->z);
 }

@@ -86,7 +86,7 @@ static void look(fidelity_t *fidelity, trigger_t *trigger, int i, const run_t *r
         runner_update(&fidelity->runners[i][model], &update, &run->fine, run_time(run));
     }
     if (i == AT_100_NM) {
-        regimes_add(&fidelity->regimes, &table_2, run->fine.z, run->fine.v);
+        regimes_add(&fidelity->regimes, &friction_table_2, run->fine.z, run->fine.v);
     }
 }
 
@@ -104,7 +104,7 @@ static void start(fidelity_t *fidelity, trigger_t at[TRIGGERS])
 void fidelity_run(fidelity_t *fidelity, int motion)
 {
     const slide_t slide = {
-        {table_2, CONTACT_ELASTO_PLASTIC}, 10.0, drive_force, &motions[motion].drive};
+        {friction_table_2, CONTACT_ELASTO_PLASTIC}, 10.0, drive_force, &motions[motion].drive};
     run_t run = run_from(&slide, (slide_state_t){0.0, 0.0, 0.0}, LOOKS_PER_SECOND);
     trigger_t at[TRIGGERS];
     start(fidelity, at);
@@ -124,10 +124,12 @@ void fidelity_run(fidelity_t *fidelity, int motion)
 
 double fidelity_rms(const fidelity_t *fidelity, int trigger, model_t model)
 {
-    return errors_rms(&fidelity->runners[trigger][model].errors) / friction_z_max(&table_2);
+    return errors_rms(&fidelity->runners[trigger][model].errors) /
+           friction_z_max(&friction_table_2);
 }
 
 double fidelity_largest(const fidelity_t *fidelity, int trigger, model_t model)
 {
-    return errors_largest(&fidelity->runners[trigger][model].errors) / friction_z_max(&table_2);
+    return errors_largest(&fidelity->runners[trigger][model].errors) /
+           friction_z_max(&friction_table_2);
 }

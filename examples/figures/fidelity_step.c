@@ -92,13 +92,13 @@ static const struct {
 static void add_step(errors_t *errors, const coefficients_t *as, int variant, int size, double v,
                      double share)
 {
-    const double z_ss = friction_z_ss(&table_2, v);
+    const double z_ss = friction_z_ss(&friction_table_2, v);
     const bool above = sizes[size].side == ABOVE;
-    const double from = above ? friction_z_max(&table_2) : table_2.z_ba;
-    const double unit = above ? z_ss : z_ss - table_2.z_ba;
+    const double from = above ? friction_z_max(&friction_table_2) : friction_table_2.z_ba;
+    const double unit = above ? z_ss : z_ss - friction_table_2.z_ba;
     step_t step = {from + share * (z_ss - from), sizes[size].size * unit, v};
     const double z = variants[variant].step(as, &step);
-    const double exact = rule_exact_flow(&table_2, step.z, step.dx, step.v, 0.0);
+    const double exact = rule_exact_flow(&friction_table_2, step.z, step.dx, step.v, 0.0);
     errors_add(errors, (z - exact) / (above ? z_ss : z_ss - step.z));
 }
 
@@ -108,7 +108,8 @@ static double error_of(const coefficients_t *as, int variant, int size)
     errors_t errors = {0.0, 0.0, 0};
     for (int i = 0; i < SPEEDS; i++) {
         for (int start = 0; start < STARTS; start++) {
-            add_step(&errors, as, variant, size, speeds[i] * table_2.v_s, (start + 0.5) / STARTS);
+            add_step(&errors, as, variant, size, speeds[i] * friction_table_2.v_s,
+                     (start + 0.5) / STARTS);
         }
     }
     return errors_rms(&errors);
@@ -116,7 +117,7 @@ static double error_of(const coefficients_t *as, int variant, int size)
 
 void fidelity_claim_steps(claims_t *claims)
 {
-    const coefficients_t as = coefficients_of(&table_2);
+    const coefficients_t as = coefficients_of(&friction_table_2);
     for (int variant = 0; variant < VARIANTS; variant++) {
         for (int size = 0; size < SIZES; size++) {
             const int side = sizes[size].side;

@@ -3,6 +3,7 @@
 #include "coefficients.h"
 #include "errors.h"
 #include "figure.h"
+#include "larger.h"
 #include "tables.h"
 
 #include <math.h>
@@ -26,7 +27,7 @@ typedef struct {
 
 static form_t form_of(friction_form_t form)
 {
-    form_t made = {.friction = table_2};
+    form_t made = {.friction = friction_table_2};
     made.friction.form = form;
     made.as = coefficients_of(&made.friction);
     return made;
@@ -59,7 +60,7 @@ static void compare(const form_t *form, double v, distances_t *worst)
 
 static void write_row(FILE *csv, const form_t made[FORMS], double v)
 {
-    (void)fprintf(csv, "%.9g", v / table_2.v_s);
+    (void)fprintf(csv, "%.9g", v / friction_table_2.v_s);
     for (int i = 0; i < FORMS; i++) {
         (void)fprintf(csv, ",%.9g", (double)epf_f32_fss(&made[i].as.f32, (float)v));
     }
@@ -75,13 +76,13 @@ void figure_2(FILE *csv, claims_t *claims)
     }
     (void)fputs("v_over_v_s,coulomb_N,gaussian_N,lorentzian_N\n", csv);
     for (int row = -HALF_ROWS; row <= HALF_ROWS; row++) {
-        const double v = table_2.v_s * widest * row / HALF_ROWS;
+        const double v = friction_table_2.v_s * widest * row / HALF_ROWS;
         write_row(csv, made, v);
         for (int i = 0; i < FORMS; i++) {
             compare(&made[i], v, &worst);
         }
     }
-    const double ppm = 1e6 / table_2.f_max;
+    const double ppm = 1e6 / friction_table_2.f_max;
     claim_at_most(claims, ppm * worst.f32, 0.2, "ppm of f_max",
                   "f32: f_ss(v) is that of eqs. (6) to (8), in all forms");
     claim_at_most(claims, ppm * worst.q31, 1.5, "ppm of f_max", "q31: the same");

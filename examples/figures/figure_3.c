@@ -8,6 +8,7 @@
 #include "encoder.h"
 #include "errors.h"
 #include "figure.h"
+#include "larger.h"
 #include "regimes.h"
 #include "slide.h"
 #include "tables.h"
@@ -55,7 +56,7 @@ static void start(state_t *state)
 {
     *state = (state_t){.lugre_leaves = HUGE_VAL};
     for (int i = 0; i < MODELS; i++) {
-        state->slides[i] = (slide_t){{table_1, models[i]}, 1.0, force, NULL};
+        state->slides[i] = (slide_t){{friction_table_1, models[i]}, 1.0, force, NULL};
         state->runs[i] =
             run_from(&state->slides[i], (slide_state_t){0.0, 0.0, 0.0}, STEPS_PER_SECOND);
     }
@@ -63,7 +64,7 @@ static void start(state_t *state)
 
 static double bound(void)
 {
-    return 2.0 * friction_z_max(&table_1);
+    return 2.0 * friction_z_max(&friction_table_1);
 }
 
 static void advance(state_t *state)
@@ -80,7 +81,7 @@ static void advance(state_t *state)
             state->lugre_leaves = fmin(state->lugre_leaves, time);
         }
     }
-    regimes_add(&state->regimes, &table_1, state->runs[EP].fine.z, state->runs[EP].fine.v);
+    regimes_add(&state->regimes, &friction_table_1, state->runs[EP].fine.z, state->runs[EP].fine.v);
 }
 
 static void write_row(FILE *csv, const state_t *state)
@@ -138,7 +139,7 @@ typedef struct {
 static void start_estimators(estimators_t *estimators)
 {
     *estimators = (estimators_t){.encoder = {.resolution = resolution}};
-    const epf_params_t params = params_of(&table_1, EPF_UPDATE_MEAN_VALUE);
+    const epf_params_t params = params_of(&friction_table_1, EPF_UPDATE_MEAN_VALUE);
     for (int i = 0; i < VARIANTS; i++) {
         track_start(&estimators->tracks[i], variants[i], &params, 0.0, 0.0);
     }

@@ -54,7 +54,7 @@ typedef struct {
 static void start(state_t *state)
 {
     *state = (state_t){.encoder = {resolution, noise, {4}}};
-    const epf_params_t params = params_of(&table_1, EPF_UPDATE_MEAN_VALUE);
+    const epf_params_t params = params_of(&friction_table_1, EPF_UPDATE_MEAN_VALUE);
     track_start(&state->tracks[TRIGGERED], &variant_f32, &params, spacing(), 0.0);
     track_start(&state->tracks[EVERY_LOOK], &variant_f32, &params, 0.0, 0.0);
 }
@@ -77,14 +77,15 @@ static void look(state_t *state, double time)
     const double dt = 1.0 / LOOKS_PER_SECOND;
     const double x = position(time);
     const double dx = x - state->x;
-    state->z = rule_exact_flow(&table_1, state->z, dx, dx / dt, dt);
-    state->lugre_exactly = rule_lugre_exact(&table_1, state->lugre_exactly, dx, dx / dt, dt);
+    state->z = rule_exact_flow(&friction_table_1, state->z, dx, dx / dt, dt);
+    state->lugre_exactly =
+        rule_lugre_exact(&friction_table_1, state->lugre_exactly, dx, dx / dt, dt);
     state->x = x;
-    regimes_add(&state->regimes, &table_1, state->z, dx / dt);
+    regimes_add(&state->regimes, &friction_table_1, state->z, dx / dt);
 
     const double seen = encoder_read(&state->encoder, x);
     const double v = (seen - state->seen) / dt;
-    state->lugre = rule_lugre_exact(&table_1, state->lugre, seen - state->seen, v, dt);
+    state->lugre = rule_lugre_exact(&friction_table_1, state->lugre, seen - state->seen, v, dt);
     state->seen = seen;
     for (int i = 0; i < ESTIMATORS; i++) {
         (void)track_look(&state->tracks[i], seen, time, state->z);
@@ -94,7 +95,7 @@ static void look(state_t *state, double time)
 
 static void write_row(FILE *csv, const state_t *state, double time)
 {
-    const double sigma_0 = table_1.sigma_0;
+    const double sigma_0 = friction_table_1.sigma_0;
     (void)fprintf(csv, "%.2f,%.4f,%.6f,%.6f,%.6f\n", time, state->seen / MICRO, sigma_0 * state->z,
                   sigma_0 * track_z(&state->tracks[TRIGGERED]), sigma_0 * state->lugre);
 }

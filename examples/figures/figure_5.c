@@ -3,6 +3,7 @@
 #include "coefficients.h"
 #include "errors.h"
 #include "figure.h"
+#include "larger.h"
 #include "tables.h"
 
 #include <math.h>
@@ -22,8 +23,8 @@ typedef struct {
 static double further(double distance, double z, double v, double alpha)
 {
     const double along = v < 0.0 ? -z : z;
-    return larger(distance,
-                  fabs(alpha - friction_alpha(&table_2, along, friction_z_ss(&table_2, v))));
+    return larger(distance, fabs(alpha - friction_alpha(&friction_table_2, along,
+                                                        friction_z_ss(&friction_table_2, v))));
 }
 
 /* Each variant is asked at a deflection and a velocity that it can tell exactly */
@@ -33,7 +34,7 @@ static void compare_f32(const coefficients_t *as, double z, double v, distances_
     const float exact_v = (float)v;
     const double alpha = (double)epf_f32_alpha(&as->f32, exact_z, exact_v);
     worst->f32 = further(worst->f32, (double)exact_z, (double)exact_v, alpha);
-    if ((v < 0.0 ? -z : z) < 0.9999 * table_2.z_ba) {
+    if ((v < 0.0 ? -z : z) < 0.9999 * friction_table_2.z_ba) {
         worst->where_elastic = larger(worst->where_elastic, alpha);
     }
 }
@@ -70,24 +71,24 @@ static void write_row(FILE *csv, const coefficients_t *as, double z)
 {
     (void)fprintf(csv, "%.9g", z / MICRO);
     for (int i = 0; i < SPEEDS; i++) {
-        const double v = speeds[i] * table_2.v_s;
+        const double v = speeds[i] * friction_table_2.v_s;
         (void)fprintf(csv, ",%.9g", (double)epf_f32_alpha(&as->f32, (float)z, (float)v));
     }
-    const double back = -speeds[0] * table_2.v_s;
+    const double back = -speeds[0] * friction_table_2.v_s;
     (void)fprintf(csv, ",%.9g\n", (double)epf_f32_alpha(&as->f32, (float)z, (float)back));
 }
 
 void figure_5(FILE *csv, claims_t *claims)
 {
-    const coefficients_t as = coefficients_of(&table_2);
+    const coefficients_t as = coefficients_of(&friction_table_2);
     distances_t worst = {0.0, 0.0, 0.0, 0.0};
     (void)fputs("z_um,slow,at_v_s,fast,slow_towards_minus_x\n", csv);
     for (int row = -HALF_ROWS; row <= HALF_ROWS; row++) {
         const double z = widest * row / HALF_ROWS;
         write_row(csv, &as, z);
         for (int i = 0; i < SPEEDS; i++) {
-            compare(&as, z, speeds[i] * table_2.v_s, &worst);
-            compare(&as, z, -speeds[i] * table_2.v_s, &worst);
+            compare(&as, z, speeds[i] * friction_table_2.v_s, &worst);
+            compare(&as, z, -speeds[i] * friction_table_2.v_s, &worst);
         }
     }
     claim_at_most(claims, 1e6 * worst.f32, 2.0, "ppm", "f32: alpha(z, v) is that of eq. (10)");

@@ -5,6 +5,7 @@
  * others, whose initial state is right.
  */
 #include "figure.h"
+#include "larger.h"
 #include "profile.h"
 #include "regimes.h"
 #include "rules.h"
@@ -49,7 +50,7 @@ static void start(state_t *state)
     }
     followers_start(&state->right, 0.0);
     followers_start(&state->wrong, wrong_by);
-    const epf_params_t params = params_of(&table_2, EPF_UPDATE_MEAN_VALUE);
+    const epf_params_t params = params_of(&friction_table_2, EPF_UPDATE_MEAN_VALUE);
     for (int i = 0; i < VARIANTS; i++) {
         track_start(&state->variants[i], variants[i], &params, profile_spacings[0], 0.0);
     }
@@ -69,7 +70,7 @@ static void flow_look(flow_t *flow, const run_t *run)
 {
     update_t update;
     if (trigger_look(&flow->trigger, run->fine.x, run_time(run), &update)) {
-        flow->z = rule_exact_flow(&table_2, flow->z, update.dx, update.v, update.dt);
+        flow->z = rule_exact_flow(&friction_table_2, flow->z, update.dx, update.v, update.dt);
         errors_add(&flow->errors, flow->z - run->fine.z);
     }
 }
@@ -84,7 +85,7 @@ static void variants_look(state_t *state, const run_t *run)
             const double force = slide_friction(run->slide, motion, time);
             errors_add(&state->forces[i], track_force(track) - force);
             if (i == 0) {
-                regimes_add(&state->regimes, &table_2, motion->z, motion->v);
+                regimes_add(&state->regimes, &friction_table_2, motion->z, motion->v);
             }
         }
     }
@@ -165,7 +166,7 @@ static void claim_closeness(claims_t *claims, const state_t *state)
 static void claim_force(claims_t *claims, const state_t *state)
 {
     for (int i = 0; i < VARIANTS; i++) {
-        const double unit = table_2.f_max / 100.0;
+        const double unit = friction_table_2.f_max / 100.0;
         claim_at_most(claims, errors_rms(&state->forces[i]) / unit, 0.4, "% of f_max",
                       "%s, mean value, D_x = %g um: rms error of the force (largest %.2g %%)",
                       variants[i]->name, profile_spacings[0] / MICRO,

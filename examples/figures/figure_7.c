@@ -75,7 +75,7 @@ static void advance_to(state_t *state, run_t *run, double time, FILE *csv)
         run_advance(run, 1);
         followers_look(&state->shown, run);
         followers_look(&state->right, run);
-        regimes_add(&state->regimes, &table_2, run->fine.z, run->fine.v);
+        regimes_add(&state->regimes, &friction_table_2, run->fine.z, run->fine.v);
         if (csv != NULL && run->steps % STEPS_PER_ROW == 0) {
             followers_write_row(csv, &state->shown, run);
         }

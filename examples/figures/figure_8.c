@@ -39,7 +39,7 @@ static void observer_start(observer_t *observer, double noise, double spacing, i
 {
     observer->encoder = (encoder_t){.noise = noise, .source = {(uint64_t)seed}};
     for (int rule = 0; rule < PROFILE_RULES; rule++) {
-        const epf_params_t params = params_of(&table_2, (epf_update_t)rule);
+        const epf_params_t params = params_of(&friction_table_2, (epf_update_t)rule);
         track_start(&observer->tracks[rule], &variant_f32, &params, spacing, 0.0);
     }
 }
@@ -140,7 +140,7 @@ void figure_8(FILE *csv, claims_t *claims)
     while (run_time(&run) < profile_end) {
         run_advance(&run, STEPS_PER_LOOK);
         look(&observers, &run);
-        regimes_add(&regimes, &table_2, run.fine.z, run.fine.v);
+        regimes_add(&regimes, &friction_table_2, run.fine.z, run.fine.v);
         write_row(csv, &observers, &run);
     }
     regimes_claim(&regimes, REGIMES, claims, "looks");

@@ -20,7 +20,7 @@ const double profile_range = 30e-6;
 
 run_t profile_run(slide_t *slide)
 {
-    *slide = (slide_t){{table_2, CONTACT_ELASTO_PLASTIC}, 10.0, drive_force, &drive};
+    *slide = (slide_t){{friction_table_2, CONTACT_ELASTO_PLASTIC}, 10.0, drive_force, &drive};
     return run_from(slide, (slide_state_t){0.0, 0.0, 0.0}, PROFILE_STEPS_PER_SECOND);
 }
 
@@ -29,7 +29,7 @@ const double profile_spacings[PROFILE_SPACINGS] = {0.1e-6, 1e-6, 5e-6};
 void followers_start(followers_t *followers, double z)
 {
     for (int rule = 0; rule < PROFILE_RULES; rule++) {
-        const epf_params_t params = params_of(&table_2, (epf_update_t)rule);
+        const epf_params_t params = params_of(&friction_table_2, (epf_update_t)rule);
         for (int i = 0; i < PROFILE_SPACINGS; i++) {
             track_t *track = &followers->tracks[rule][i];
             track_start(track, &variant_f32, &params, profile_spacings[i], 0.0);

@@ -1,24 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tables.h"
 
-const friction_t table_1 = {.sigma_0 = 1e5,
-                            .sigma_1 = 63.0,
-                            .sigma_2 = 0.0,
-                            .f_c = 1.0,
-                            .f_max = 1.1,
-                            .v_s = 1e-5,
-                            .z_ba = 8e-6, /* f_ba = 0.8 N */
-                            .form = FRICTION_LORENTZIAN};
-
-const friction_t table_2 = {.sigma_0 = 1e5,
-                            .sigma_1 = 1e3,
-                            .sigma_2 = 0.4,
-                            .f_c = 1.0,
-                            .f_max = 1.5,
-                            .v_s = 1e-3,
-                            .z_ba = 8e-6,
-                            .form = FRICTION_LORENTZIAN};
-
 static epf_stribeck_t stribeck_of(friction_form_t form)
 {
     switch (form) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tremor.h"
+#include "larger.h"
 
 #include "encoder.h"
 #include "errors.h"
@@ -54,7 +55,7 @@ typedef struct {
 static void watchers_start(watchers_t *watchers)
 {
     *watchers = (watchers_t){.encoder = {.resolution = resolution}};
-    const epf_params_t params = params_of(&table_1, EPF_UPDATE_MEAN_VALUE);
+    const epf_params_t params = params_of(&friction_table_1, EPF_UPDATE_MEAN_VALUE);
     for (int i = 0; i < VARIANTS; i++) {
         track_start(&watchers->tracks[i], variants[i], &params, 0.0, 0.0);
     }
@@ -74,7 +75,7 @@ static void watchers_look(watchers_t *watchers, const run_t *run)
 static outcome_t shaken(const tremor_t *tremor, contact_model_t model, const char *name,
                         watchers_t *watchers)
 {
-    const slide_t slide = {{table_1, model}, 1.0, force, tremor};
+    const slide_t slide = {{friction_table_1, model}, 1.0, force, tremor};
     run_t run = run_from(&slide, (slide_state_t){0.0, 0.0, 0.0}, STEPS_PER_SECOND);
     outcome_t outcome = {.leaves = HUGE_VAL};
     for (long i = 0; i < (long)SECONDS * STEPS_PER_SECOND; i++) {
@@ -84,7 +85,7 @@ static outcome_t shaken(const tremor_t *tremor, contact_model_t model, const cha
         }
         const double distance = fabs(run.fine.x);
         outcome.furthest = larger(outcome.furthest, distance);
-        if (distance > 2.0 * friction_z_max(&table_1)) {
+        if (distance > 2.0 * friction_z_max(&friction_table_1)) {
             outcome.leaves = fmin(outcome.leaves, run_time(&run));
         }
         if (run.steps % STEPS_PER_SECOND == 0) {
@@ -115,7 +116,7 @@ void tremor_claims(claims_t *claims)
     for (int i = 0; i < SINES; i++) {
         tremor.frequency[i] = 10.0 + 2.0 * noise_next(&noise);
     }
-    const double bound = 2.0 * friction_z_max(&table_1);
+    const double bound = 2.0 * friction_z_max(&friction_table_1);
     watchers_t watchers;
     watchers_start(&watchers);
     const outcome_t ep = shaken(&tremor, CONTACT_ELASTO_PLASTIC, "elasto-plastic", &watchers);

@@ -18,6 +18,9 @@ typedef struct {
     friction_form_t form;
 } friction_t;
 
+/* Tables I and II of the paper: with a mass of 1 kg, and of 10 kg */
+extern const friction_t friction_table_1, friction_table_2;
+
 /* Eqs. (6) to (8), N: signed, and 0 at rest */
 double friction_f_ss(const friction_t *p, double v);
 

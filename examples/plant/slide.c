@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "slide.h"
 
+#include "larger.h"
+
 #include <math.h>
 #include <stddef.h>
 
@@ -107,17 +109,11 @@ double run_time(const run_t *run)
     return (double)run->steps / run->rate;
 }
 
-/* Once it is NaN, because a motion was, it stays so */
-static double further(double most, double apart)
-{
-    return most >= fabs(apart) ? most : most == most ? fabs(apart) : most;
-}
-
 static void note_distance(run_t *run)
 {
-    run->apart.x = further(run->apart.x, run->fine.x - run->coarse.x);
-    run->apart.v = further(run->apart.v, run->fine.v - run->coarse.v);
-    run->apart.z = further(run->apart.z, run->fine.z - run->coarse.z);
+    run->apart.x = larger(run->apart.x, fabs(run->fine.x - run->coarse.x));
+    run->apart.v = larger(run->apart.v, fabs(run->fine.v - run->coarse.v));
+    run->apart.z = larger(run->apart.z, fabs(run->fine.z - run->coarse.z));
 }
 
 void run_rejoin(run_t *run)

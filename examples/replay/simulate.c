@@ -34,22 +34,6 @@ static const drive_sine_t tremors[] = {
 enum { POINTS = sizeof points / sizeof points[0], TREMORS = sizeof tremors / sizeof tremors[0] };
 static const drive_t drive = {points, POINTS, tremors, TREMORS};
 
-/* The friction of Table II of the paper */
-static const slide_t slide = {
-    .contact = {{.sigma_0 = 1e5,
-                 .sigma_1 = 1e3,
-                 .sigma_2 = 0.4,
-                 .f_c = 1.0,
-                 .f_max = 1.5,
-                 .v_s = 1e-3,
-                 .z_ba = 8e-6,
-                 .form = FRICTION_LORENTZIAN},
-                CONTACT_ELASTO_PLASTIC},
-    .mass = 10.0,
-    .force = drive_force,
-    .context = &drive,
-};
-
 /* The instruments */
 static const double encoder_step = 10e-9;  /* m */
 static const double load_cell_step = 1e-4; /* N */
@@ -62,7 +46,7 @@ static void write_row(FILE *file, encoder_t *encoder, const run_t *run)
 {
     const double time = run_time(run);
     const double position = encoder_read(encoder, run->coarse.x);
-    const double force = slide_friction(&slide, &run->coarse, time);
+    const double force = slide_friction(run->slide, &run->coarse, time);
     /* + 0.0 turns -0 into 0 */
     (void)fprintf(file, "%.3f,%.8f,%.4f\n", time, position + 0.0,
                   load_cell_step * floor(force / load_cell_step + 0.5) + 0.0);
@@ -72,6 +56,10 @@ static void write_row(FILE *file, encoder_t *encoder, const run_t *run)
 static double simulate(FILE *file)
 {
     const int last_row = (int)(points[POINTS - 1].time * ROWS_PER_SECOND + 0.5);
+    const slide_t slide = {.contact = {friction_table_2, CONTACT_ELASTO_PLASTIC},
+                           .mass = 10.0,
+                           .force = drive_force,
+                           .context = &drive};
     const slide_state_t rest = {0.0, 0.0, 0.0};
     encoder_t encoder = {.resolution = encoder_step};
     run_t run = run_from(&slide, rest, (double)STEPS_PER_ROW * ROWS_PER_SECOND);

@@ -4,8 +4,8 @@ set(plant "${PROJECT_SOURCE_DIR}/examples/plant")
 set(figures "${PROJECT_SOURCE_DIR}/examples/figures")
 
 epf_add_test_as(plant_test figures/plant_test.c
-    "${plant}/contact.c" "${plant}/drive.c" "${plant}/encoder.c" "${plant}/friction.c" "${plant}/noise.c"
-    "${plant}/rules.c" "${plant}/slide.c" "${plant}/trigger.c")
+    "${plant}/contact.c" "${plant}/drive.c" "${plant}/encoder.c" "${plant}/friction.c" "${plant}/larger.c"
+    "${plant}/noise.c" "${plant}/rules.c" "${plant}/slide.c" "${plant}/trigger.c")
 target_include_directories(plant_test PRIVATE "${plant}")
 
 add_executable(claims_test figures/claims_test.c "${figures}/claims.c" "${figures}/errors.c"

@@ -9,6 +9,7 @@
 cmake_policy(VERSION 3.16)
 
 include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
 
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
@@ -45,13 +46,6 @@ endfunction()
 function(must_not_draw)
     if(EXISTS "${SCRATCH}/${PICTURE}" OR stdout MATCHES "png")
         message(SEND_ERROR "expected no picture, and nothing about one")
-    endif()
-endfunction()
-
-function(must_leave_nothing_behind)
-    file(GLOB left "${SCRATCH}/*.tmp")
-    if(left)
-        message(SEND_ERROR "left behind: ${left}")
     endif()
 endfunction()
 

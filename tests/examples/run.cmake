@@ -20,6 +20,7 @@
 cmake_policy(VERSION 3.16)
 
 include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
 
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
@@ -135,9 +136,6 @@ endif()
 
 foreach(file IN LISTS MADE)
     if(file MATCHES "png$")
-        file(READ "${SCRATCH}/${file}" signature LIMIT 8 HEX)
-        if(NOT signature STREQUAL "89504e470d0a1a0a")
-            message(SEND_ERROR "${file} is not a PNG picture")
-        endif()
+        must_be_picture("${SCRATCH}/${file}")
     endif()
 endforeach()

@@ -9,6 +9,7 @@
 cmake_policy(VERSION 3.16)
 
 include("${CMAKE_CURRENT_LIST_DIR}/arguments.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/checks.cmake")
 
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
@@ -57,13 +58,6 @@ endfunction()
 function(must_be_link name)
     if(NOT IS_SYMLINK "${SCRATCH}/${name}")
         message(SEND_ERROR "${name} was a symbolic link")
-    endif()
-endfunction()
-
-function(must_leave_nothing_behind)
-    file(GLOB left "${SCRATCH}/*.tmp")
-    if(left)
-        message(SEND_ERROR "left behind: ${left}")
     endif()
 endfunction()
 

@@ -6,6 +6,7 @@
 #   UPDATE  if true, the tables in README.md become those that are printed; a row more or less is for people
 
 cmake_policy(VERSION 3.16)
+include("${CMAKE_CURRENT_LIST_DIR}/../checks.cmake")
 
 file(REMOVE_RECURSE "${SCRATCH}")
 file(MAKE_DIRECTORY "${SCRATCH}")
@@ -84,9 +85,6 @@ foreach(figure 2 3 4 5 6 7 8 fidelity)
         message(SEND_ERROR "there is no figure_${figure}.csv")
     endif()
     if(DRAWS)
-        file(READ "${SCRATCH}/figure_${figure}.png" signature LIMIT 8 HEX)
-        if(NOT signature STREQUAL "89504e470d0a1a0a")
-            message(SEND_ERROR "figure_${figure}.png is not a PNG picture")
-        endif()
+        must_be_picture("${SCRATCH}/figure_${figure}.png")
     endif()
 endforeach()

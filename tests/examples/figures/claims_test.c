@@ -2,6 +2,7 @@
 /* What decides whether a claim holds, and how far an estimate is off */
 #include "claims.h"
 #include "errors.h"
+#include "larger.h"
 #include "regimes.h"
 #include "tables.h"
 #include "track.h"
@@ -99,7 +100,7 @@ static void test_a_contact_is_found_in_its_regime_whichever_way_it_moves(void)
     for (int sign = -1; sign <= 1; sign += 2) {
         regimes_t regimes = {{0}};
         for (unsigned i = 0; i < sizeof at / sizeof at[0]; i++) {
-            regimes_add(&regimes, &table_2, sign * at[i], sign * 1e-3);
+            regimes_add(&regimes, &friction_table_2, sign * at[i], sign * 1e-3);
         }
         for (int i = 0; i < REGIMES; i++) {
             TEST_ASSERT_DOUBLE_WITHIN(0.0, 25.0, regimes_percent(&regimes, (regime_t)i));
@@ -129,7 +130,7 @@ static void test_a_regime_that_is_a_rarity_fails(void)
 static void test_a_track_follows_an_elastic_contact_by_its_trigger(void)
 {
     track_t track;
-    const epf_params_t params = params_of(&table_2, EPF_UPDATE_MEAN_VALUE);
+    const epf_params_t params = params_of(&friction_table_2, EPF_UPDATE_MEAN_VALUE);
     track_start(&track, &variant_f32, &params, 1e-6, 3.0);
     TEST_ASSERT_FALSE(track_look(&track, 3.0 + 0.9e-6, 0.1, 0.9e-6));
     TEST_ASSERT_TRUE(track_look(&track, 3.0 + 2e-6, 0.2, 1.5e-6));
@@ -144,7 +145,7 @@ static void test_a_track_that_the_library_refuses_holds_no_claim(void)
     static const variant_t *const variants[] = {&variant_f32, &variant_q31, &variant_q15};
     for (unsigned i = 0; i < sizeof variants / sizeof variants[0]; i++) {
         track_t track;
-        epf_params_t params = params_of(&table_2, EPF_UPDATE_MEAN_VALUE);
+        epf_params_t params = params_of(&friction_table_2, EPF_UPDATE_MEAN_VALUE);
         params.z_ba = -1.0f;
         track_start(&track, variants[i], &params, 0.0, 0.0);
         track_set_z(&track, 0.0);
